@@ -1,0 +1,37 @@
+# Everything from outside, found once. Debian package names stand in bootstrap-packages.txt.
+
+if (SOFTSHADOWS_WRAP_PYTHON)
+  # The distribution's own interpreter: another one may come first in the path and lacks VTK.
+  set(Python3_EXECUTABLE "/usr/bin/python3" CACHE FILEPATH "Interpreter that has VTK")
+  find_package(Python3 REQUIRED COMPONENTS Interpreter Development)
+endif ()
+
+set(softshadows_vtk_components
+  ChartsCore CommonColor CommonComputationalGeometry CommonCore CommonDataModel
+  CommonExecutionModel CommonMath CommonSystem CommonTransforms FiltersCore FiltersFlowPaths
+  FiltersGeneral FiltersGeometry FiltersModeling FiltersSources ImagingCore ImagingHybrid
+  InteractionStyle IOGeometry IOImage IOImport IOLegacy IOPLY IOXML RenderingAnnotation
+  RenderingCore RenderingFreeType RenderingOpenGL2 TestingCore TestingRendering glew opengl)
+if (SOFTSHADOWS_WRAP_PYTHON)
+  list(APPEND softshadows_vtk_components Python WrappingPythonCore WrapPython)
+endif ()
+find_package(VTK 9.1 REQUIRED COMPONENTS ${softshadows_vtk_components})
+
+find_package(OpenGL REQUIRED COMPONENTS OpenGL)
+find_package(glm REQUIRED)
+find_package(nlohmann_json REQUIRED)
+if (SOFTSHADOWS_RAY_TRACING)
+  find_package(embree 3 REQUIRED)
+endif ()
+if (SOFTSHADOWS_IMAGE_METRICS)
+  find_package(OpenImageIO REQUIRED)
+  # Debian's package names an OpenCV include folder that need not exist.
+  get_target_property(oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
+  list(FILTER oiio_includes EXCLUDE REGEX "opencv")
+  set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
+    INTERFACE_INCLUDE_DIRECTORIES "${oiio_includes}")
+endif ()
+if (SOFTSHADOWS_BUILD_APPS)
+  find_package(CLI11 REQUIRED)
+  find_package(Boost REQUIRED)
+endif ()

@@ -1,0 +1,60 @@
+# What is built. Each family of techniques is an option; turning it off leaves out its dependency.
+
+if (NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif ()
+
+option(BUILD_SHARED_LIBS "Build shared libraries (Python needs them)" ON)
+option(SOFTSHADOWS_WRAP_PYTHON "Wrap for Python (package vtksoftshadows)" ON)
+option(SOFTSHADOWS_BUILD_APPS "Build the command softshadows" ON)
+option(SOFTSHADOWS_SHADOW_MAPS "Shadow maps: map-hard, map-soft" ON)
+option(SOFTSHADOWS_RAY_TRACING "Ray-traced reference (Embree): ray-traced" ON)
+option(SOFTSHADOWS_IMAGE_METRICS "Reading, writing and comparing pictures (OpenImageIO)" ON)
+option(SOFTSHADOWS_SCENES "Built-in scenes" ON)
+include(CTest)
+
+foreach (pair IN ITEMS
+    "SHADOW_MAPS:ShadowMaps" "RAY_TRACING:RayTracing" "IMAGE_METRICS:ImageMetrics" "SCENES:Scenes")
+  string(REPLACE ":" ";" pair "${pair}")
+  list(GET pair 0 option)
+  list(GET pair 1 module)
+  if (SOFTSHADOWS_${option})
+    set("VTK_MODULE_ENABLE_SoftShadows_${module}" "YES")
+  else ()
+    set("VTK_MODULE_ENABLE_SoftShadows_${module}" "NO")
+  endif ()
+endforeach ()
+if (SOFTSHADOWS_BUILD_APPS AND NOT (SOFTSHADOWS_IMAGE_METRICS AND SOFTSHADOWS_SCENES))
+  message(FATAL_ERROR
+    "SOFTSHADOWS_BUILD_APPS needs SOFTSHADOWS_IMAGE_METRICS and SOFTSHADOWS_SCENES")
+endif ()
+
+if (BUILD_TESTING)
+  set(softshadows_test_state WANT)
+else ()
+  set(softshadows_test_state OFF)
+endif ()
+
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+
+# Layout of the build: build/bin/softshadows, build/lib, build/lib/python.
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
+set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+
+# Warnings for our own sources; wrapping sources that VTK generates are not ours.
+function (softshadows_warnings target)
+  target_compile_options("${target}" PRIVATE
+    $<$<CXX_COMPILER_ID:GNU,Clang>:-Wall -Wextra -Wshadow=local -Wno-unused-parameter>)
+endfunction ()
+if (NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  function (softshadows_warnings target)
+    target_compile_options("${target}" PRIVATE
+      $<$<CXX_COMPILER_ID:Clang>:-Wall -Wextra -Wno-unused-parameter>)
+  endfunction ()
+endif ()

@@ -1,0 +1,7 @@
+//VTK::System::Dec
+
+// Depth alone is wanted.
+
+void main()
+{
+}

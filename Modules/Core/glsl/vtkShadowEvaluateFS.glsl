@@ -1,0 +1,42 @@
+//VTK::System::Dec
+
+// Visibility of one light at each pixel of the receivers' buffer.
+
+//VTK::Output::Dec
+
+//SHADOW::Declarations
+
+uniform sampler2DArray shadowReceivers; // position in VC; w: packed normal, negative if not casting
+uniform mat4 shadowVCToWC;
+uniform int shadowLight;
+#ifdef SHADOW_OUTPUT_CHANGE
+uniform float shadowShare; // of the light that this part stands for
+#else
+const float shadowShare = 1.0;
+#endif
+
+void main()
+{
+  vec4 receiverVC = texelFetch(shadowReceivers, ivec3(gl_FragCoord.xy, 0), 0);
+  SHADOW_VISIBILITY visibility = SHADOW_VISIBILITY(1.0);
+  if (receiverVC.w != 0.0)
+  {
+    vec3 positionWC = (shadowVCToWC * vec4(receiverVC.xyz, 1.0)).xyz;
+    vec3 normalWC = mat3(shadowVCToWC) * shadowUnpackNormal(abs(receiverVC.w));
+    if (receiverVC.w > 0.0 && shadowFacesAway(shadowLight, positionWC, normalWC))
+    {
+      visibility = SHADOW_VISIBILITY(1.0 - shadowShare);
+    }
+    else
+    {
+      visibility = shadowVisibility(shadowLight, positionWC, normalWC);
+    }
+  }
+#ifdef SHADOW_OUTPUT_COST
+  gl_FragData[0] = vec4(shadowCost);
+#elif defined(SHADOW_OUTPUT_CHANGE)
+  gl_FragData[0] = vec4(vec3(visibility) - 1.0, 0.0);
+#else
+  gl_FragData[0] = vec4(vec3(visibility), 1.0);
+#endif
+}

@@ -1,0 +1,381 @@
+#include "vtkLightFrusta.h"
+
+#include "vtkShadowCasters.h"
+#include "vtkShadowLight.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_access.hpp>
+#include <glm/trigonometric.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+/**
+ * A light inside or touching geometry: what is nearer to it than this share of the frustum's depth
+ * is clipped. 32-bit depth then still resolves less than a texel at the far end.
+ */
+constexpr double NearestNear = 1e-3;
+
+/** Beyond this angle from its axis one frustum wastes its texels, and a cube takes over. */
+constexpr double WidestHalfAngle = 65.0;
+
+/** So many flat casters get the exact treatment; more are all drawn whole. */
+constexpr std::size_t MostFlatCasters = 64;
+
+/** An axis-aligned range on a view plane, and along the view axis. */
+struct Range
+{
+  glm::dvec3 Low{ std::numeric_limits<double>::max() };
+  glm::dvec3 High{ std::numeric_limits<double>::lowest() };
+
+  bool IsEmpty() const
+  {
+    return this->Low.x > this->High.x || this->Low.y > this->High.y || this->Low.z > this->High.z;
+  }
+  void Add(const glm::dvec3& p)
+  {
+    this->Low = glm::min(this->Low, p);
+    this->High = glm::max(this->High, p);
+  }
+  void Add(const Range& other)
+  {
+    if (!other.IsEmpty())
+    {
+      this->Add(other.Low);
+      this->Add(other.High);
+    }
+  }
+  /** The common window; the depth stays this one's. */
+  Range Window(const Range& other) const
+  {
+    Range result = *this;
+    result.Low.x = std::max(this->Low.x, other.Low.x);
+    result.Low.y = std::max(this->Low.y, other.Low.y);
+    result.High.x = std::min(this->High.x, other.High.x);
+    result.High.y = std::min(this->High.y, other.High.y);
+    return result;
+  }
+};
+
+/** Orthonormal axes of a view: x, y, and z along the view. */
+struct Frame
+{
+  Frame(const glm::dvec3& axis, const glm::dvec3& up)
+    : Z(axis)
+  {
+    const glm::dvec3 side = glm::cross(up, axis);
+    const glm::dvec3 other = std::abs(axis.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0)
+                                                    : glm::dvec3(0.0, 1.0, 0.0);
+    this->X =
+      glm::normalize(glm::length(side) > 1e-3 ? side : glm::cross(other, axis));
+    this->Y = glm::cross(axis, this->X);
+  }
+  glm::dvec3 operator()(const glm::dvec3& v) const
+  {
+    return { glm::dot(this->X, v), glm::dot(this->Y, v), glm::dot(this->Z, v) };
+  }
+  glm::dvec3 X, Y, Z;
+};
+
+/** A clear border around the window, as a share of its size. */
+void Widen(Range& range, double border)
+{
+  glm::dvec3 size = range.High - range.Low;
+  const double largest = std::max({ size.x, size.y, std::numeric_limits<double>::min() });
+  for (int c = 0; c < 2; ++c)
+  {
+    // A window of no width (an edge-on caster) still needs some.
+    const double margin = std::max(border * size[c], 1e-6 * largest);
+    range.Low[c] -= margin;
+    range.High[c] += margin;
+  }
+}
+
+/** Everything that a box shows of itself in a view, given how its corners project. */
+template <typename Project>
+Range RegionRange(
+  const std::vector<glm::dvec3>& box, const std::vector<std::vector<glm::dvec3>>& others,
+  Project project)
+{
+  const Range own = project(box);
+  if (others.empty() || own.IsEmpty())
+  {
+    return own;
+  }
+  Range shared;
+  for (const auto& other : others)
+  {
+    const Range window = project(other);
+    if (!window.IsEmpty())
+    {
+      shared.Add(own.Window(window));
+    }
+  }
+  return shared;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkLightFrusta::vtkLightFrusta(
+  const vtkShadowLight& light, const vtkShadowCasters& casters, double border)
+  : Light(light)
+  , Border(border)
+  , Origin(casters.GetOrigin())
+{
+  const auto& all = casters.Get();
+  const auto& receivers = casters.GetReceivers();
+  const auto extremes = light.GetExtremes();
+  // Signed distance of a place on the light from a plane; of a direction, its component.
+  const auto side = [&](const glm::dvec3& place, const glm::dvec3& normal, const glm::dvec3& point) {
+    return light.IsDirectional() ? glm::dot(normal, place)
+                                 : glm::dot(normal, place - this->Origin - point);
+  };
+  const std::size_t flatCount = std::count_if(all.begin(), all.end(),
+    [](const vtkShadowCaster& caster) { return caster.Mesh->Flat; });
+
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    const auto& caster = all[i];
+    if (caster.Mesh->Indices.empty())
+    {
+      continue;
+    }
+    Region region{ Corners(caster.Corners.begin(), caster.Corners.end()), {} };
+    if (caster.Mesh->Flat && flatCount <= MostFlatCasters)
+    {
+      // A plane cannot shadow itself; only what lies behind it matters.
+      const glm::dmat3 linear(caster.MeshToWC);
+      glm::dvec3 normal = glm::transpose(glm::inverse(linear)) * caster.Mesh->Normal;
+      const glm::dvec3 point(caster.MeshToWC * glm::dvec4(caster.Mesh->PlanePoint, 1.0));
+      const double length = glm::length(normal);
+      normal = length > 0.0 && std::isfinite(length) ? normal / length : glm::dvec3(0.0);
+      double lowest = std::numeric_limits<double>::max();
+      double highest = std::numeric_limits<double>::lowest();
+      for (const auto& place : extremes)
+      {
+        const double distance = side(place, normal, point);
+        lowest = std::min(lowest, distance);
+        highest = std::max(highest, distance);
+      }
+      if (lowest > 0.0 || highest < 0.0)
+      {
+        const double towardsLight = lowest > 0.0 ? 1.0 : -1.0;
+        const auto addIfBehind = [&](const std::array<glm::dvec3, 8>& box) {
+          // Touching is not behind: floors under things that stand on them.
+          const double tolerance = 1e-6 * glm::length(box[7] - box[0]);
+          for (const auto& corner : box)
+          {
+            if (towardsLight * glm::dot(normal, corner - point) < -tolerance)
+            {
+              region.Others.emplace_back(box.begin(), box.end());
+              return;
+            }
+          }
+        };
+        for (std::size_t j = 0; j < all.size(); ++j)
+        {
+          if (j != i)
+          {
+            addIfBehind(all[j].Corners);
+          }
+        }
+        for (const auto& box : receivers)
+        {
+          addIfBehind(box);
+        }
+        if (region.Others.empty())
+        {
+          continue; // nothing can lie in its shadow
+        }
+      }
+    }
+    this->Included.push_back(static_cast<int>(i));
+    this->Regions.push_back(std::move(region));
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkLightView> vtkLightFrusta::GetViews(const glm::dvec3& place) const
+{
+  if (this->Included.empty())
+  {
+    return {};
+  }
+  return this->Light.IsDirectional() ? this->GetDirectionalViews(place)
+                                     : this->GetPositionalViews(place - this->Origin);
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkLightView> vtkLightFrusta::GetDirectionalViews(const glm::dvec3& towardsLight) const
+{
+  const Frame frame(-towardsLight, this->Light.V);
+  Range range;
+  for (const auto& region : this->Regions)
+  {
+    range.Add(RegionRange(region.Box, region.Others, [&](const Corners& box) {
+      Range own;
+      for (const auto& corner : box)
+      {
+        own.Add(frame(corner));
+      }
+      return own;
+    }));
+  }
+  if (range.IsEmpty())
+  {
+    return {};
+  }
+  Widen(range, this->Border);
+  const double depthMargin = 1e-3 * glm::length(range.High - range.Low);
+  range.Low.z -= depthMargin;
+  range.High.z += depthMargin;
+
+  const glm::dvec3 size = range.High - range.Low;
+  const glm::dvec3 centre = 0.5 * (range.High + range.Low);
+  vtkLightView view;
+  const glm::dvec3 axes[] = { frame.X, frame.Y, frame.Z };
+  glm::dmat4 rows(0.0);
+  for (int c = 0; c < 3; ++c)
+  {
+    rows[c] = glm::dvec4(axes[c], -centre[c]) * (2.0 / size[c]);
+  }
+  rows[3] = glm::dvec4(0.0, 0.0, 0.0, 1.0);
+  view.WCToClip = glm::transpose(rows);
+  view.WindowX = frame.X * size.x;
+  view.WindowY = frame.Y * size.y;
+  return { view };
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkLightView> vtkLightFrusta::GetPositionalViews(const glm::dvec3& position) const
+{
+  std::vector<vtkLightView> views;
+  if (this->Light.ConeAngle <= WidestHalfAngle)
+  {
+    this->AddPerspectiveView(position, this->Light.Direction, this->Light.V,
+      std::tan(glm::radians(this->Light.ConeAngle)), views);
+    return views;
+  }
+
+  // One frustum along the mean direction, where it sees all corners under a small enough angle.
+  glm::dvec3 mean(0.0);
+  for (const auto& region : this->Regions)
+  {
+    for (const auto& corner : region.Box)
+    {
+      const glm::dvec3 d = corner - position;
+      const double length = glm::length(d);
+      mean += length > 0.0 ? d / length : glm::dvec3(0.0);
+    }
+  }
+  const double length = glm::length(mean);
+  const double least = std::cos(glm::radians(WidestHalfAngle));
+  bool fits = length > 0.0;
+  for (const auto& region : this->Regions)
+  {
+    for (std::size_t i = 0; fits && i < region.Box.size(); ++i)
+    {
+      const glm::dvec3 d = region.Box[i] - position;
+      // "Not less", so that a corner at the light itself fails too.
+      fits = glm::dot(d, mean) > least * length * glm::length(d);
+    }
+  }
+  if (fits)
+  {
+    this->AddPerspectiveView(position, mean / length, this->Light.V,
+      std::tan(glm::radians(WidestHalfAngle)) * 1.01, views);
+    return views;
+  }
+
+  for (int face = 0; face < 6; ++face)
+  {
+    glm::dvec3 axis(0.0);
+    axis[face / 2] = face % 2 ? -1.0 : 1.0;
+    glm::dvec3 up(0.0);
+    up[(face / 2 + 1) % 3] = 1.0;
+    this->AddPerspectiveView(position, axis, up, 1.0, views);
+  }
+  return views;
+}
+
+//------------------------------------------------------------------------------
+bool vtkLightFrusta::AddPerspectiveView(const glm::dvec3& position, const glm::dvec3& axis,
+  const glm::dvec3& up, double limit, std::vector<vtkLightView>& views) const
+{
+  const Frame frame(axis, up);
+  // A box in x/z, y/z and z, clipped to |x/z|, |y/z| <= limit; the whole window where the box
+  // reaches behind the light.
+  const auto project = [&](const Corners& box) {
+    Range range;
+    bool behind = false;
+    bool outside[5] = { true, true, true, true, true };
+    for (const auto& corner : box)
+    {
+      const glm::dvec3 p = frame(corner - position);
+      outside[0] = outside[0] && p.x > limit * p.z;
+      outside[1] = outside[1] && p.x < -limit * p.z;
+      outside[2] = outside[2] && p.y > limit * p.z;
+      outside[3] = outside[3] && p.y < -limit * p.z;
+      outside[4] = outside[4] && p.z <= 0.0;
+      behind = behind || p.z <= 0.0;
+      if (p.z > 0.0)
+      {
+        range.Add({ p.x / p.z, p.y / p.z, p.z });
+      }
+    }
+    if (std::any_of(outside, outside + 5, [](bool all) { return all; }))
+    {
+      return Range();
+    }
+    const double farthest = range.High.z;
+    if (behind)
+    {
+      range.Low = { -limit, -limit, 0.0 };
+      range.High = { limit, limit, farthest };
+    }
+    range.Low.x = std::max(range.Low.x, -limit);
+    range.Low.y = std::max(range.Low.y, -limit);
+    range.High.x = std::min(range.High.x, limit);
+    range.High.y = std::min(range.High.y, limit);
+    return range;
+  };
+  Range range;
+  for (const auto& region : this->Regions)
+  {
+    range.Add(RegionRange(region.Box, region.Others, project));
+  }
+  if (range.IsEmpty())
+  {
+    return false;
+  }
+  Widen(range, this->Border);
+  if (limit == 1.0)
+  {
+    // Faces of a cube do not overlap, or a point on their common edge would be counted twice.
+    range.Low = glm::max(range.Low, glm::dvec3(-1.0, -1.0, 0.0));
+    range.High = glm::dvec3(glm::min(glm::dvec2(range.High), glm::dvec2(1.0)), range.High.z);
+  }
+  const double zFar = range.High.z * 1.001;
+  const double zNear = std::max(range.Low.z * 0.999, zFar * NearestNear);
+
+  const glm::dvec2 size(range.High - range.Low);
+  const glm::dvec2 centre = 0.5 * (glm::dvec2(range.High) + glm::dvec2(range.Low));
+  const auto row = [&](const glm::dvec3& direction, double offset) {
+    return glm::dvec4(direction, offset - glm::dot(direction, position));
+  };
+  glm::dmat4 rows;
+  rows[0] = row((frame.X - centre.x * frame.Z) * (2.0 / size.x), 0.0);
+  rows[1] = row((frame.Y - centre.y * frame.Z) * (2.0 / size.y), 0.0);
+  rows[2] = row(frame.Z * ((zFar + zNear) / (zFar - zNear)), -2.0 * zFar * zNear / (zFar - zNear));
+  rows[3] = row(frame.Z, 0.0);
+  vtkLightView view;
+  view.WCToClip = glm::transpose(rows);
+  view.WindowX = frame.X * size.x;
+  view.WindowY = frame.Y * size.y;
+  views.push_back(view);
+  return true;
+}

@@ -1,0 +1,71 @@
+// Light frusta that hug the casters.
+//
+// A map needs to hold only what can put something else into shadow. A caster that is flat and has
+// nothing behind it as the light sees it (a floor under everything) is left out; one that has
+// something behind it only in places is hugged there. A light that sees all casters within a cone
+// gets one frustum, a light among the casters up to six faces of a cube, each only where there are
+// casters. None of this depends on the camera.
+
+#ifndef vtkLightFrusta_h
+#define vtkLightFrusta_h
+
+#include "vtkSoftShadowsCoreModule.h" // For export macro
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include <vector>
+
+class vtkShadowCasters;
+struct vtkShadowLight;
+
+/** One view from a point of a light: a map is drawn and read through it. */
+struct vtkLightView
+{
+  /**
+   * To clip coordinates: after division x, y and z run from -1 to 1, z rises with the distance.
+   * Before it, w is the distance along the view axis in world units, or 1 for a directional light.
+   */
+  glm::dmat4 WCToClip{ 1.0 };
+  /** The view plane's axes as unit vectors in WC, times the window's size at w = 1. */
+  glm::dvec3 WindowX{ 0.0 };
+  glm::dvec3 WindowY{ 0.0 };
+};
+
+class VTKSOFTSHADOWSCORE_EXPORT vtkLightFrusta
+{
+public:
+  /**
+   * Find which casters count for a light, whichever of its points is looked from.
+   * The frusta's borders stay `border` (a fraction of the window) clear of casters.
+   */
+  vtkLightFrusta(const vtkShadowLight& light, const vtkShadowCasters& casters, double border);
+
+  /** Indices of the casters that can shadow something. Empty: nothing to draw for this light. */
+  const std::vector<int>& GetCasters() const { return this->Included; }
+
+  /** Views from one place on the light (see vtkLightSample), in WC: none, one, or up to six. */
+  std::vector<vtkLightView> GetViews(const glm::dvec3& place) const;
+
+private:
+  using Corners = std::vector<glm::dvec3>;
+  /** A box of which a view must show what also lies in one of the others, or all where none is. */
+  struct Region
+  {
+    Corners Box;
+    std::vector<Corners> Others;
+  };
+
+  std::vector<vtkLightView> GetDirectionalViews(const glm::dvec3& towardsLight) const;
+  std::vector<vtkLightView> GetPositionalViews(const glm::dvec3& position) const;
+  bool AddPerspectiveView(const glm::dvec3& position, const glm::dvec3& axis, const glm::dvec3& up,
+    double limit, std::vector<vtkLightView>& views) const;
+
+  const vtkShadowLight& Light;
+  double Border;
+  glm::dvec3 Origin{ 0.0 }; // of WC
+  std::vector<int> Included;
+  std::vector<Region> Regions;
+};
+
+#endif

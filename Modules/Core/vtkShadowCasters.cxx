@@ -1,0 +1,371 @@
+#include "vtkShadowCasters.h"
+
+#include "vtkActor.h"
+#include "vtkAlgorithm.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLBufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkPolyData.h"
+#include "vtkPropCollection.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkShadowCasterFS.h"
+#include "vtkShadowCasterVS.h"
+#include "vtkShadowGL.h"
+#include "vtkShadowPass.h"
+#include "vtk_glew.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+namespace
+{
+std::array<glm::dvec3, 8> BoxCorners(const glm::dvec3& low, const glm::dvec3& high)
+{
+  std::array<glm::dvec3, 8> corners;
+  for (int i = 0; i < 8; ++i)
+  {
+    corners[i] = { i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z };
+  }
+  return corners;
+}
+
+/** Mappers whose drawn surface is not the polygons of their input. */
+bool MakesItsOwnGeometry(vtkMapper* mapper)
+{
+  return mapper->IsA("vtkPointGaussianMapper") || mapper->IsA("vtkOpenGLSphereMapper") ||
+    mapper->IsA("vtkOpenGLStickMapper");
+}
+
+bool Casts(vtkActor* actor)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  return mapper &&
+    (mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkCompositePolyDataMapper")) &&
+    !MakesItsOwnGeometry(mapper) && mapper->GetNumberOfInputConnections(0) > 0 &&
+    actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
+    !actor->HasTranslucentPolygonalGeometry() && vtkShadowPass::GetCasting(actor);
+}
+
+/** The polygon data sets that a mapper draws, brought up to date. */
+std::vector<vtkPolyData*> GetInputs(vtkMapper* mapper)
+{
+  mapper->GetInputAlgorithm()->Update();
+  vtkDataObject* input = mapper->GetInputDataObject(0, 0);
+  if (auto* polygons = vtkPolyData::SafeDownCast(input))
+  {
+    return { polygons };
+  }
+  std::vector<vtkPolyData*> result;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    auto block = vtk::TakeSmartPointer(composite->NewIterator());
+    for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem())
+    {
+      if (auto* polygons = vtkPolyData::SafeDownCast(block->GetCurrentDataObject()))
+      {
+        result.push_back(polygons);
+      }
+    }
+  }
+  return result;
+}
+
+/** A mesh in the world: what Update gathers before it knows the origin of WC. */
+struct Placed
+{
+  std::shared_ptr<const vtkShadowMesh> Mesh;
+  vtkProp* Prop;
+  glm::dmat4 MeshToWorld;
+};
+}
+
+/** What lies on the GPU. */
+class vtkShadowCasters::Buffers
+{
+public:
+  unsigned long MeshVersion = 0;
+  unsigned long Version = 0;
+  vtkNew<vtkOpenGLBufferObject> Vertices;
+  vtkNew<vtkOpenGLBufferObject> Indices;
+  vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
+  vtkShadowTexture Matrices;
+  vtkShaderProgram* Program = nullptr; // owned by the window's shader cache
+  std::vector<GLsizei> Counts;         // indices of each caster
+  std::vector<std::size_t> Offsets;    // first index of each caster, in bytes
+  std::size_t Bytes = 0;
+};
+
+//------------------------------------------------------------------------------
+vtkShadowCasters::vtkShadowCasters() = default;
+
+//------------------------------------------------------------------------------
+vtkShadowCasters::~vtkShadowCasters() = default;
+
+//------------------------------------------------------------------------------
+bool vtkShadowCasters::Update(vtkRenderer* renderer)
+{
+  // Meshes that are still valid, by their source.
+  std::map<vtkPolyData*, std::shared_ptr<const vtkShadowMesh>> known;
+  for (const auto& caster : this->Casters)
+  {
+    known[caster.Mesh->Source] = caster.Mesh;
+  }
+
+  std::vector<Placed> placed;
+  std::vector<std::array<double, 6>> receivers;
+  const auto addActor = [&](vtkActor* actor, vtkMatrix4x4* matrix) {
+    if (!Casts(actor))
+    {
+      if (const double* bounds = actor->GetBounds())
+      {
+        receivers.push_back({ bounds[0], bounds[1], bounds[2], bounds[3], bounds[4], bounds[5] });
+      }
+      return;
+    }
+    const glm::dmat4 modelToWorld = glm::transpose(glm::make_mat4(matrix->GetData()));
+    for (vtkPolyData* polygons : GetInputs(actor->GetMapper()))
+    {
+      auto& mesh = known[polygons];
+      if (!mesh || mesh->SourceTime != vtkShadowMesh::GetShapeTime(polygons))
+      {
+        mesh = vtkShadowMesh::Make(polygons);
+      }
+      if (!mesh->Indices.empty() || mesh->Dropped > 0)
+      {
+        placed.push_back({ mesh, actor, glm::translate(modelToWorld, mesh->Centre) });
+      }
+    }
+  };
+  vtkCollectionSimpleIterator cookie;
+  vtkPropCollection* props = renderer->GetViewProps();
+  props->InitTraversal(cookie);
+  while (vtkProp* prop = props->GetNextProp(cookie))
+  {
+    if (prop->GetVisibility())
+    {
+      vtkShadowPass::ForEachActor(prop, addActor);
+    }
+  }
+
+  bool changed = placed.size() != this->Casters.size();
+  bool meshesChanged = changed;
+  glm::dvec3 low(std::numeric_limits<double>::max());
+  glm::dvec3 high(std::numeric_limits<double>::lowest());
+  for (std::size_t i = 0; i < placed.size(); ++i)
+  {
+    const auto& mesh = *placed[i].Mesh;
+    for (const auto& corner : BoxCorners(mesh.Minimum, mesh.Maximum))
+    {
+      const glm::dvec3 p(placed[i].MeshToWorld * glm::dvec4(corner, 1.0));
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+    }
+    meshesChanged = meshesChanged || this->Casters[i].Mesh != placed[i].Mesh;
+  }
+  // The origin stays as long as it is near: moving it would rebuild everything else.
+  const glm::dvec3 centre = 0.5 * (low + high);
+  if (!placed.empty() && glm::length(centre - this->Origin) > glm::length(high - low))
+  {
+    this->Origin = centre;
+    changed = true;
+  }
+
+  std::vector<vtkShadowCaster> casters;
+  casters.reserve(placed.size());
+  const glm::dmat4 worldToWC = glm::translate(glm::dmat4(1.0), -this->Origin);
+  for (const auto& item : placed)
+  {
+    vtkShadowCaster caster{ item.Mesh, item.Prop, worldToWC * item.MeshToWorld, {} };
+    changed = changed || meshesChanged ||
+      caster.MeshToWC != this->Casters[casters.size()].MeshToWC;
+    caster.Corners = BoxCorners(item.Mesh->Minimum, item.Mesh->Maximum);
+    for (auto& corner : caster.Corners)
+    {
+      corner = glm::dvec3(caster.MeshToWC * glm::dvec4(corner, 1.0));
+    }
+    casters.push_back(std::move(caster));
+  }
+  this->Casters = std::move(casters);
+
+  std::vector<std::array<glm::dvec3, 8>> receiverBoxes;
+  for (const auto& b : receivers)
+  {
+    receiverBoxes.push_back(BoxCorners(glm::dvec3(b[0], b[2], b[4]) - this->Origin,
+      glm::dvec3(b[1], b[3], b[5]) - this->Origin));
+  }
+  changed = changed || receiverBoxes != this->Receivers;
+  this->Receivers = std::move(receiverBoxes);
+
+  this->MeshVersion += meshesChanged ? 1 : 0;
+  this->Version += changed ? 1 : 0;
+  return changed;
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkShadowCasters::GetNumberOfVertices() const
+{
+  std::size_t count = 0;
+  for (const auto& caster : this->Casters)
+  {
+    count += caster.Mesh->GetNumberOfVertices();
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkShadowCasters::GetNumberOfTriangles() const
+{
+  std::size_t count = 0;
+  for (const auto& caster : this->Casters)
+  {
+    count += caster.Mesh->GetNumberOfTriangles();
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkShadowCasters::GetNumberOfDroppedTriangles() const
+{
+  std::size_t count = 0;
+  for (const auto& caster : this->Casters)
+  {
+    count += caster.Mesh->Dropped;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowCasters::Upload(vtkOpenGLRenderWindow* window)
+{
+  if (!this->GPU)
+  {
+    this->GPU = std::make_unique<Buffers>();
+  }
+  Buffers& gpu = *this->GPU;
+  if (gpu.MeshVersion != this->MeshVersion)
+  {
+    std::vector<float> vertices;
+    std::vector<std::uint32_t> indices;
+    vertices.reserve(4 * this->GetNumberOfVertices());
+    indices.reserve(3 * this->GetNumberOfTriangles());
+    gpu.Counts.clear();
+    gpu.Offsets.clear();
+    for (std::size_t i = 0; i < this->Casters.size(); ++i)
+    {
+      const vtkShadowMesh& mesh = *this->Casters[i].Mesh;
+      const auto first = static_cast<std::uint32_t>(vertices.size() / 4);
+      gpu.Counts.push_back(static_cast<GLsizei>(mesh.Indices.size()));
+      gpu.Offsets.push_back(indices.size() * sizeof(std::uint32_t));
+      for (std::size_t v = 0; v < mesh.GetNumberOfVertices(); ++v)
+      {
+        vertices.insert(vertices.end(), &mesh.Positions[3 * v], &mesh.Positions[3 * v] + 3);
+        vertices.push_back(static_cast<float>(i));
+      }
+      for (const std::uint32_t index : mesh.Indices)
+      {
+        indices.push_back(first + index);
+      }
+    }
+    gpu.Vertices->Upload(vertices, vtkOpenGLBufferObject::ArrayBuffer);
+    gpu.VertexArray->Bind();
+    gpu.Indices->Upload(indices, vtkOpenGLBufferObject::ElementArrayBuffer);
+    gpu.VertexArray->Release();
+    gpu.Program = nullptr; // attributes are to be bound anew
+    gpu.Bytes = vertices.size() * sizeof(float) + indices.size() * sizeof(std::uint32_t);
+    gpu.MeshVersion = this->MeshVersion;
+  }
+  if (gpu.Version != this->Version)
+  {
+    std::vector<glm::vec4> rows;
+    rows.reserve(3 * this->Casters.size());
+    for (const auto& caster : this->Casters)
+    {
+      const glm::mat4 matrix(glm::transpose(caster.MeshToWC));
+      rows.insert(rows.end(), { matrix[0], matrix[1], matrix[2] });
+    }
+    gpu.Matrices.UploadBuffer(window, rows);
+    gpu.Version = this->Version;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowCasters::Draw(
+  vtkOpenGLRenderWindow* window, const glm::dmat4& WCToClip, const std::vector<int>& casters)
+{
+  this->Upload(window);
+  Buffers& gpu = *this->GPU;
+  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
+    vtkShadowCasterVS, vtkShadowCasterFS, "");
+  if (!program)
+  {
+    return; // the shader cache has reported why
+  }
+  gpu.VertexArray->Bind();
+  if (program != gpu.Program)
+  {
+    constexpr int stride = 4 * sizeof(float);
+    gpu.VertexArray->AddAttributeArray(
+      program, gpu.Vertices, "vertexMC", 0, stride, VTK_FLOAT, 3, false);
+    gpu.VertexArray->AddAttributeArray(
+      program, gpu.Vertices, "caster", 3 * sizeof(float), stride, VTK_FLOAT, 1, false);
+    gpu.Indices->Bind();
+    gpu.Program = program;
+  }
+  gpu.Matrices.Activate(window);
+  program->SetUniformi("casterMatrices", gpu.Matrices.GetUnit());
+  const glm::mat4 matrix(WCToClip);
+  program->SetUniformMatrix4x4("WCToClip", const_cast<float*>(glm::value_ptr(matrix)));
+
+  std::vector<GLsizei> counts;
+  std::vector<const void*> offsets;
+  for (const int i : casters)
+  {
+    // Neighbours in the buffer are drawn as one.
+    if (!counts.empty() && gpu.Offsets[i] ==
+        reinterpret_cast<std::size_t>(offsets.back()) + counts.back() * sizeof(std::uint32_t))
+    {
+      counts.back() += gpu.Counts[i];
+      continue;
+    }
+    counts.push_back(gpu.Counts[i]);
+    offsets.push_back(reinterpret_cast<const void*>(gpu.Offsets[i]));
+  }
+  glMultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, offsets.data(),
+    static_cast<GLsizei>(counts.size()));
+  gpu.Matrices.Deactivate(window);
+  gpu.VertexArray->Release();
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkShadowCasters::GetGPUBytes() const
+{
+  return this->GPU ? this->GPU->Bytes + this->GPU->Matrices.GetBytes() : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowCasters::ReleaseGraphicsResources(vtkOpenGLRenderWindow* window)
+{
+  if (this->GPU)
+  {
+    this->GPU->Matrices.Release(window);
+    this->GPU->VertexArray->ReleaseGraphicsResources();
+    this->GPU->Vertices->ReleaseGraphicsResources();
+    this->GPU->Indices->ReleaseGraphicsResources();
+    this->GPU.reset();
+  }
+}

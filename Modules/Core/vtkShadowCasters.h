@@ -1,0 +1,94 @@
+// The triangles that cast shadows, gathered from the props of a renderer and kept while unchanged.
+//
+// On the CPU each mesh keeps float positions relative to its own centre and triangle indices; each
+// caster is a mesh and a matrix, composed in double precision, to WC: world axes with the origin at
+// GetOrigin(), so that scenes far from the world's origin lose nothing. Meshes are shared with the
+// ray tracer (one BVH each) and, from the families that need it, the adjacency.
+//
+// On the GPU, made only when a technique draws: one vertex buffer (position 12 bytes and caster
+// number 4 bytes a vertex), one index buffer (12 bytes a triangle), and a texture buffer of matrix
+// rows. All casters are then one draw call.
+
+#ifndef vtkShadowCasters_h
+#define vtkShadowCasters_h
+
+#include "vtkShadowMesh.h"             // For vtkShadowMesh
+#include "vtkSoftShadowsCoreModule.h" // For export macro
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkProp;
+class vtkRenderer;
+
+/** A mesh in its place. */
+struct vtkShadowCaster
+{
+  std::shared_ptr<const vtkShadowMesh> Mesh;
+  vtkProp* Prop = nullptr;
+  glm::dmat4 MeshToWC{ 1.0 };
+  /** Corners of the mesh's box in WC. */
+  std::array<glm::dvec3, 8> Corners;
+};
+
+class VTKSOFTSHADOWSCORE_EXPORT vtkShadowCasters
+{
+public:
+  vtkShadowCasters();
+  ~vtkShadowCasters();
+  vtkShadowCasters(const vtkShadowCasters&) = delete;
+  void operator=(const vtkShadowCasters&) = delete;
+
+  /**
+   * Gather what the renderer's visible props cast. True when anything changed.
+   * Casting: actors (and those within assemblies) with polygons, drawn as surfaces, opaque, and
+   * not switched off by vtkShadowPass::SetCasting. Updates the mappers' inputs.
+   */
+  bool Update(vtkRenderer* renderer);
+
+  const std::vector<vtkShadowCaster>& Get() const { return this->Casters; }
+  /** Boxes of visible props that do not cast but can receive, as eight corners in WC. */
+  const std::vector<std::array<glm::dvec3, 8>>& GetReceivers() const { return this->Receivers; }
+
+  /** Origin of WC in the world. It stays until the casters leave its neighbourhood. */
+  const glm::dvec3& GetOrigin() const { return this->Origin; }
+  /** Rises with every change. */
+  unsigned long GetVersion() const { return this->Version; }
+  /** Rises only when meshes came, went or changed: matrices alone leave it. */
+  unsigned long GetMeshVersion() const { return this->MeshVersion; }
+
+  std::size_t GetNumberOfVertices() const;
+  std::size_t GetNumberOfTriangles() const;
+  std::size_t GetNumberOfDroppedTriangles() const;
+
+  /**
+   * Draw casters (indices into Get()) with a program whose vertex shader is
+   * vtkShadowCasterVS.glsl, ready to be drawn into the bound framebuffer. WCToClip is set on it.
+   */
+  void Draw(vtkOpenGLRenderWindow* window, const glm::dmat4& WCToClip,
+    const std::vector<int>& casters);
+
+  /** Bytes held on the GPU. */
+  std::size_t GetGPUBytes() const;
+  void ReleaseGraphicsResources(vtkOpenGLRenderWindow* window);
+
+private:
+  class Buffers;
+
+  void Upload(vtkOpenGLRenderWindow* window);
+
+  std::vector<vtkShadowCaster> Casters;
+  std::vector<std::array<glm::dvec3, 8>> Receivers;
+  glm::dvec3 Origin{ 0.0 };
+  unsigned long Version = 0;
+  unsigned long MeshVersion = 0;
+  std::unique_ptr<Buffers> GPU;
+};
+
+#endif

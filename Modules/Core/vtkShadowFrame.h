@@ -1,0 +1,35 @@
+// What a technique sees of the frame that is being drawn.
+
+#ifndef vtkShadowFrame_h
+#define vtkShadowFrame_h
+
+#include "vtkShadowLight.h" // For Lights
+
+#include <glm/mat4x4.hpp>
+
+#include <map>
+#include <string>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkShadowCasters;
+class vtkShadowTimers;
+
+struct vtkShadowFrame
+{
+  vtkRenderer* Renderer = nullptr;
+  vtkOpenGLRenderWindow* Window = nullptr;
+  vtkShadowCasters* Casters = nullptr;
+  vtkShadowTimers* Timers = nullptr;
+  /** The casting lights that this technique can treat and that something can be shadowed from. */
+  std::vector<vtkShadowLight> Lights;
+  /** Any of the lights is textured: visibility is then a colour. */
+  bool Color = false;
+  /** View coordinates to WC (world axes, origin at Casters->GetOrigin()). */
+  glm::dmat4 VCToWC{ 1.0 };
+  /** Counts for GetStatistics(), by name; a technique adds its own. */
+  std::map<std::string, double> Counts;
+};
+
+#endif

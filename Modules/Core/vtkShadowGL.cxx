@@ -1,0 +1,299 @@
+#include "vtkShadowGL.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkTextureUnitManager.h"
+#include "vtk_glew.h"
+
+#include <algorithm>
+
+//------------------------------------------------------------------------------
+void vtkShadowTexture::Bind(vtkOpenGLRenderWindow* window)
+{
+  // A unit of our own keeps what VTK has bound elsewhere.
+  this->Activate(window);
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowTexture::Allocate(
+  vtkOpenGLRenderWindow* window, Format format, int width, int height, int layers)
+{
+  if (this->Handle && this->TexelFormat == format && this->Width == width &&
+    this->Height == height && this->Layers == layers)
+  {
+    return true;
+  }
+  this->Release(window);
+  this->Target = GL_TEXTURE_2D_ARRAY;
+  this->TexelFormat = format;
+  this->Width = width;
+  this->Height = height;
+  this->Layers = layers;
+  glGenTextures(1, &this->Handle);
+  this->Bind(window);
+  struct Layout
+  {
+    GLint Internal;
+    GLenum External;
+    std::size_t Size;
+  };
+  static constexpr Layout layouts[] = { { GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, 4 },
+    { GL_R32F, GL_RED, 4 }, { GL_RGBA32F, GL_RGBA, 16 } };
+  const Layout& layout = layouts[static_cast<int>(format)];
+  while (glGetError() != GL_NO_ERROR)
+  {
+  }
+  glTexImage3D(this->Target, 0, layout.Internal, width, height, layers, 0, layout.External,
+    GL_FLOAT, nullptr);
+  const bool made = glGetError() == GL_NO_ERROR;
+  glTexParameteri(this->Target, GL_TEXTURE_MAX_LEVEL, 0);
+  glTexParameteri(this->Target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(this->Target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  this->SetSampling(window, Sampling::Nearest);
+  this->Deactivate(window);
+  this->Bytes = layout.Size * width * height * layers;
+  if (!made)
+  {
+    this->Release(window);
+  }
+  return made;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTexture::SetSampling(vtkOpenGLRenderWindow* window, Sampling sampling)
+{
+  const bool active = this->Unit >= 0;
+  this->Bind(window);
+  const bool linear = sampling == Sampling::Linear || sampling == Sampling::CompareLinear;
+  const bool compare = sampling == Sampling::CompareNearest || sampling == Sampling::CompareLinear;
+  glTexParameteri(this->Target, GL_TEXTURE_MIN_FILTER, linear ? GL_LINEAR : GL_NEAREST);
+  glTexParameteri(this->Target, GL_TEXTURE_MAG_FILTER, linear ? GL_LINEAR : GL_NEAREST);
+  if (this->TexelFormat == Format::Depth)
+  {
+    glTexParameteri(
+      this->Target, GL_TEXTURE_COMPARE_MODE, compare ? GL_COMPARE_REF_TO_TEXTURE : GL_NONE);
+    glTexParameteri(this->Target, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+  }
+  if (!active)
+  {
+    this->Deactivate(window);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTexture::UploadBuffer(
+  vtkOpenGLRenderWindow* window, const std::vector<glm::vec4>& texels)
+{
+  this->Target = GL_TEXTURE_BUFFER;
+  if (!this->Buffer)
+  {
+    glGenBuffers(1, &this->Buffer);
+    glGenTextures(1, &this->Handle);
+  }
+  this->Bytes = texels.size() * sizeof(glm::vec4);
+  glBindBuffer(GL_TEXTURE_BUFFER, this->Buffer);
+  glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(this->Bytes), texels.data(),
+    GL_STATIC_DRAW);
+  glBindBuffer(GL_TEXTURE_BUFFER, 0);
+  const bool active = this->Unit >= 0;
+  this->Bind(window);
+  glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, this->Buffer);
+  if (!active)
+  {
+    this->Deactivate(window);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTexture::UploadLayer(
+  vtkOpenGLRenderWindow* window, int layer, const float* values)
+{
+  const bool active = this->Unit >= 0;
+  this->Bind(window);
+  window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  glTexSubImage3D(this->Target, 0, 0, 0, layer, this->Width, this->Height, 1,
+    this->TexelFormat == Format::Float1 ? GL_RED : GL_RGBA, GL_FLOAT, values);
+  if (!active)
+  {
+    this->Deactivate(window);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTexture::Activate(vtkOpenGLRenderWindow* window)
+{
+  if (this->Unit < 0)
+  {
+    this->Unit = window->GetTextureUnitManager()->Allocate();
+  }
+  window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + this->Unit);
+  glBindTexture(this->Target, this->Handle);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTexture::Deactivate(vtkOpenGLRenderWindow* window)
+{
+  if (this->Unit >= 0)
+  {
+    window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + this->Unit);
+    glBindTexture(this->Target, 0);
+    window->GetTextureUnitManager()->Free(this->Unit);
+    this->Unit = -1;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTexture::Release(vtkOpenGLRenderWindow* window)
+{
+  if (this->Handle)
+  {
+    this->Deactivate(window);
+    glDeleteTextures(1, &this->Handle);
+    this->Handle = 0;
+  }
+  if (this->Buffer)
+  {
+    glDeleteBuffers(1, &this->Buffer);
+    this->Buffer = 0;
+  }
+  this->Width = this->Height = this->Layers = 0;
+  this->Bytes = 0;
+}
+
+//------------------------------------------------------------------------------
+vtkShadowFramebuffer::Scope::Scope(vtkOpenGLRenderWindow* window,
+  vtkShadowFramebuffer& framebuffer, const vtkShadowTexture* color, const vtkShadowTexture* depth,
+  int layer)
+  : Window(window)
+  , Color(color)
+  , Depth(depth)
+{
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglGetIntegerv(GL_VIEWPORT, this->Viewport);
+  state->vtkglGetIntegerv(GL_SCISSOR_BOX, this->Scissor);
+  this->ScissorTest = state->GetEnumState(GL_SCISSOR_TEST);
+  this->Blend = state->GetEnumState(GL_BLEND);
+  state->PushFramebufferBindings();
+  if (!framebuffer.Handle)
+  {
+    glGenFramebuffers(1, &framebuffer.Handle);
+  }
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer.Handle);
+  this->SetLayer(layer);
+  const GLenum buffer = color ? GL_COLOR_ATTACHMENT0 : GL_NONE;
+  state->vtkglDrawBuffer(buffer);
+  state->vtkglReadBuffer(buffer);
+  const vtkShadowTexture* texture = color ? color : depth;
+  state->vtkglViewport(0, 0, texture->GetWidth(), texture->GetHeight());
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_BLEND);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowFramebuffer::Scope::SetLayer(int layer)
+{
+  if (this->Color)
+  {
+    glFramebufferTextureLayer(
+      GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, this->Color->GetHandle(), 0, layer);
+  }
+  else
+  {
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 0, 0);
+  }
+  if (this->Depth)
+  {
+    // With a colour attachment, depth is a helper of one layer.
+    glFramebufferTextureLayer(
+      GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, this->Depth->GetHandle(), 0, this->Color ? 0 : layer);
+  }
+  else
+  {
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, 0, 0);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkShadowFramebuffer::Scope::~Scope()
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  state->PopFramebufferBindings();
+  state->vtkglViewport(
+    this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
+  state->vtkglScissor(this->Scissor[0], this->Scissor[1], this->Scissor[2], this->Scissor[3]);
+  state->SetEnumState(GL_SCISSOR_TEST, this->ScissorTest);
+  state->SetEnumState(GL_BLEND, this->Blend);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowFramebuffer::Release(vtkOpenGLRenderWindow*)
+{
+  if (this->Handle)
+  {
+    glDeleteFramebuffers(1, &this->Handle);
+    this->Handle = 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTimers::StartFrame()
+{
+  for (const auto& span : this->Spans)
+  {
+    this->Free.insert(this->Free.end(), span.Queries, span.Queries + 2);
+  }
+  this->Spans.clear();
+  this->Milliseconds.clear();
+}
+
+//------------------------------------------------------------------------------
+const std::map<std::string, double>& vtkShadowTimers::GetMilliseconds()
+{
+  if (this->Milliseconds.empty())
+  {
+    for (const auto& span : this->Spans)
+    {
+      GLuint64 times[2];
+      glGetQueryObjectui64v(span.Queries[0], GL_QUERY_RESULT, &times[0]);
+      glGetQueryObjectui64v(span.Queries[1], GL_QUERY_RESULT, &times[1]);
+      this->Milliseconds[span.Stage] += 1e-6 * static_cast<double>(times[1] - times[0]);
+    }
+  }
+  return this->Milliseconds;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTimers::Release()
+{
+  this->GetMilliseconds(); // the last figures stay readable
+  const auto last = this->Milliseconds;
+  this->StartFrame();
+  if (!this->Free.empty())
+  {
+    glDeleteQueries(static_cast<GLsizei>(this->Free.size()), this->Free.data());
+    this->Free.clear();
+  }
+  this->Milliseconds = last;
+}
+
+//------------------------------------------------------------------------------
+vtkShadowTimers::Scope::Scope(vtkShadowTimers& timers, const char* stage)
+  : Timers(timers)
+  , Index(timers.Spans.size())
+{
+  if (timers.Free.size() < 2)
+  {
+    timers.Free.resize(2);
+    glGenQueries(2, timers.Free.data());
+  }
+  Span span{ stage, { timers.Free.back(), timers.Free[timers.Free.size() - 2] } };
+  timers.Free.resize(timers.Free.size() - 2);
+  glQueryCounter(span.Queries[0], GL_TIMESTAMP);
+  timers.Spans.push_back(span);
+}
+
+//------------------------------------------------------------------------------
+vtkShadowTimers::Scope::~Scope()
+{
+  glQueryCounter(this->Timers.Spans[this->Index].Queries[1], GL_TIMESTAMP);
+}

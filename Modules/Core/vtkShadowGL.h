@@ -1,0 +1,151 @@
+// What the passes need of OpenGL beyond VTK 9.1's classes: array and buffer textures, layered
+// framebuffers, and timers. All keep VTK's state cache right.
+
+#ifndef vtkShadowGL_h
+#define vtkShadowGL_h
+
+#include "vtkSoftShadowsCoreModule.h" // For export macro
+
+#include <glm/vec4.hpp>
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+
+/** A 2D array texture, or a buffer texture of four floats a texel. */
+class VTKSOFTSHADOWSCORE_EXPORT vtkShadowTexture
+{
+public:
+  enum class Format
+  {
+    Depth,  // 32-bit float
+    Float1, // 32-bit float each
+    Float4
+  };
+  enum class Sampling
+  {
+    Nearest,
+    Linear,
+    CompareNearest, // depth <= stored depth, for sampler2DArrayShadow
+    CompareLinear
+  };
+
+  vtkShadowTexture() = default;
+  vtkShadowTexture(const vtkShadowTexture&) = delete;
+  void operator=(const vtkShadowTexture&) = delete;
+
+  /** Make it this size, if it is not; the content is then undefined. False when out of memory. */
+  bool Allocate(vtkOpenGLRenderWindow* window, Format format, int width, int height, int layers);
+  void SetSampling(vtkOpenGLRenderWindow* window, Sampling sampling);
+  void UploadBuffer(vtkOpenGLRenderWindow* window, const std::vector<glm::vec4>& texels);
+  /** Replace one layer by width x height x components floats, bottom row first. */
+  void UploadLayer(vtkOpenGLRenderWindow* window, int layer, const float* values);
+
+  /** Bind to a texture unit of VTK's, until Deactivate. Both may be called twice. */
+  void Activate(vtkOpenGLRenderWindow* window);
+  void Deactivate(vtkOpenGLRenderWindow* window);
+  int GetUnit() const { return this->Unit; }
+
+  void Release(vtkOpenGLRenderWindow* window);
+
+  unsigned int GetHandle() const { return this->Handle; }
+  int GetWidth() const { return this->Width; }
+  int GetHeight() const { return this->Height; }
+  int GetLayers() const { return this->Layers; }
+  std::size_t GetBytes() const { return this->Bytes; }
+
+private:
+  void Bind(vtkOpenGLRenderWindow* window);
+
+  unsigned int Target = 0;
+  unsigned int Handle = 0;
+  unsigned int Buffer = 0;
+  Format TexelFormat = Format::Depth;
+  int Width = 0;
+  int Height = 0;
+  int Layers = 0;
+  int Unit = -1;
+  std::size_t Bytes = 0;
+};
+
+/**
+ * Draws into layers of textures: while one of these lives, its framebuffer is bound, the viewport
+ * is the whole layer, the scissor test and blending are off; afterwards all is as before.
+ */
+class VTKSOFTSHADOWSCORE_EXPORT vtkShadowFramebuffer
+{
+public:
+  vtkShadowFramebuffer() = default;
+  vtkShadowFramebuffer(const vtkShadowFramebuffer&) = delete;
+  void operator=(const vtkShadowFramebuffer&) = delete;
+
+  class VTKSOFTSHADOWSCORE_EXPORT Scope
+  {
+  public:
+    Scope(vtkOpenGLRenderWindow* window, vtkShadowFramebuffer& framebuffer,
+      const vtkShadowTexture* color, const vtkShadowTexture* depth, int layer);
+    ~Scope();
+    Scope(const Scope&) = delete;
+    void operator=(const Scope&) = delete;
+
+    /** Go on with another layer of the same textures. */
+    void SetLayer(int layer);
+
+  private:
+    vtkOpenGLRenderWindow* Window;
+    const vtkShadowTexture* Color;
+    const vtkShadowTexture* Depth;
+    int Viewport[4];
+    int Scissor[4];
+    bool ScissorTest;
+    bool Blend;
+  };
+
+  void Release(vtkOpenGLRenderWindow* window);
+
+private:
+  unsigned int Handle = 0;
+};
+
+/** GPU time by stage, from timestamps; a frame's times are read when they are asked for. */
+class VTKSOFTSHADOWSCORE_EXPORT vtkShadowTimers
+{
+public:
+  vtkShadowTimers() = default;
+  vtkShadowTimers(const vtkShadowTimers&) = delete;
+  void operator=(const vtkShadowTimers&) = delete;
+
+  /** Forget the last frame. */
+  void StartFrame();
+  /** Milliseconds by stage of the last frame; waits for the GPU. The window must be current. */
+  const std::map<std::string, double>& GetMilliseconds();
+  void Release();
+
+  class VTKSOFTSHADOWSCORE_EXPORT Scope
+  {
+  public:
+    Scope(vtkShadowTimers& timers, const char* stage);
+    ~Scope();
+    Scope(const Scope&) = delete;
+    void operator=(const Scope&) = delete;
+
+  private:
+    vtkShadowTimers& Timers;
+    std::size_t Index;
+  };
+
+private:
+  struct Span
+  {
+    std::string Stage;
+    unsigned int Queries[2];
+  };
+  std::vector<Span> Spans;
+  std::vector<unsigned int> Free;
+  std::map<std::string, double> Milliseconds;
+};
+
+#endif

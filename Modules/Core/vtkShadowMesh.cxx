@@ -1,0 +1,168 @@
+#include "vtkShadowMesh.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkTriangleFilter.h"
+
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+constexpr std::uint32_t Unused = std::numeric_limits<std::uint32_t>::max();
+
+bool IsFinite(const glm::dvec3& p)
+{
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+glm::dvec3 GetPoint(vtkPoints* points, vtkIdType id)
+{
+  double p[3];
+  points->GetPoint(id, p);
+  return { p[0], p[1], p[2] };
+}
+
+/** Triangles only: VTK's own triangulation where there are polygons or strips. */
+vtkSmartPointer<vtkPolyData> Triangulate(vtkPolyData* source)
+{
+  if (source->GetNumberOfStrips() == 0 && source->GetPolys()->GetMaxCellSize() <= 3)
+  {
+    return source;
+  }
+  vtkNew<vtkPolyData> polygons;
+  polygons->SetPoints(source->GetPoints());
+  polygons->SetPolys(source->GetPolys());
+  polygons->SetStrips(source->GetStrips());
+  vtkNew<vtkTriangleFilter> filter;
+  filter->SetInputData(polygons);
+  filter->PassVertsOff();
+  filter->PassLinesOff();
+  filter->Update();
+  return filter->GetOutput();
+}
+
+/** The plane of the largest triangle, if all vertices lie in it to float precision. */
+void FindPlane(vtkShadowMesh& mesh)
+{
+  const auto at = [&mesh](std::size_t i) {
+    const float* p = &mesh.Positions[3 * mesh.Indices[i]];
+    return glm::dvec3(p[0], p[1], p[2]);
+  };
+  double largest = 0.0;
+  for (std::size_t i = 0; i < mesh.Indices.size(); i += 3)
+  {
+    const glm::dvec3 normal = glm::cross(at(i + 1) - at(i), at(i + 2) - at(i));
+    const double area = glm::length(normal);
+    if (area > largest)
+    {
+      largest = area;
+      mesh.Normal = normal / area;
+      mesh.PlanePoint = at(i);
+    }
+  }
+  const double tolerance = 1e-6 * glm::length(mesh.Maximum - mesh.Minimum);
+  mesh.Flat = largest > 0.0;
+  for (std::size_t i = 0; mesh.Flat && i < mesh.Indices.size(); ++i)
+  {
+    mesh.Flat = std::abs(glm::dot(mesh.Normal, at(i) - mesh.PlanePoint)) <= tolerance;
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkShadowMesh::GetShapeTime(vtkPolyData* source)
+{
+  // Not vtkPolyData::GetMTime, which includes colours.
+  vtkMTimeType time = source->vtkObject::GetMTime();
+  if (source->GetPoints())
+  {
+    time = std::max(time, source->GetPoints()->GetMTime());
+    time = std::max(time, source->GetPoints()->GetData()->GetMTime());
+  }
+  time = std::max(time, source->GetPolys()->GetMTime());
+  return std::max(time, source->GetStrips()->GetMTime());
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const vtkShadowMesh> vtkShadowMesh::Make(vtkPolyData* source)
+{
+  auto mesh = std::make_shared<vtkShadowMesh>();
+  mesh->Source = source;
+  mesh->SourceTime = vtkShadowMesh::GetShapeTime(source);
+  if (!source->GetPoints() || source->GetNumberOfPolys() + source->GetNumberOfStrips() == 0)
+  {
+    return mesh;
+  }
+  const vtkSmartPointer<vtkPolyData> triangles = Triangulate(source);
+  vtkPoints* points = triangles->GetPoints();
+
+  // First the triangles that can cast, in the source's numbering, then their vertices alone.
+  std::vector<vtkIdType> kept;
+  kept.reserve(3 * triangles->GetNumberOfPolys());
+  auto cell = vtk::TakeSmartPointer(triangles->GetPolys()->NewIterator());
+  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    cell->GetCurrentCell(size, ids);
+    if (size == 3)
+    {
+      const glm::dvec3 a = GetPoint(points, ids[0]);
+      const glm::dvec3 b = GetPoint(points, ids[1]);
+      const glm::dvec3 c = GetPoint(points, ids[2]);
+      // Edges scaled to 1 first: a small triangle is no degenerate one, whatever the unit.
+      const double longest = std::max(glm::length(b - a), glm::length(c - a));
+      if (IsFinite(a) && IsFinite(b) && IsFinite(c) && longest > 0.0 &&
+        glm::length(glm::cross((b - a) / longest, (c - a) / longest)) > 0.0)
+      {
+        kept.insert(kept.end(), ids, ids + 3);
+        continue;
+      }
+    }
+    ++mesh->Dropped;
+  }
+  if (kept.empty())
+  {
+    return mesh;
+  }
+
+  glm::dvec3 minimum(std::numeric_limits<double>::max());
+  glm::dvec3 maximum(std::numeric_limits<double>::lowest());
+  for (const vtkIdType id : kept)
+  {
+    const glm::dvec3 p = GetPoint(points, id);
+    minimum = glm::min(minimum, p);
+    maximum = glm::max(maximum, p);
+  }
+  mesh->Centre = 0.5 * (minimum + maximum);
+  mesh->Minimum = minimum - mesh->Centre;
+  mesh->Maximum = maximum - mesh->Centre;
+
+  std::vector<std::uint32_t> number(triangles->GetNumberOfPoints(), Unused);
+  mesh->Indices.reserve(kept.size());
+  for (const vtkIdType id : kept)
+  {
+    if (number[id] == Unused)
+    {
+      number[id] = static_cast<std::uint32_t>(mesh->Positions.size() / 3);
+      const glm::dvec3 p = GetPoint(points, id) - mesh->Centre;
+      for (int c = 0; c < 3; ++c)
+      {
+        mesh->Positions.push_back(static_cast<float>(p[c]));
+      }
+    }
+    mesh->Indices.push_back(number[id]);
+  }
+  mesh->Positions.push_back(0.0f);
+  mesh->Positions.shrink_to_fit();
+  FindPlane(*mesh);
+  return mesh;
+}

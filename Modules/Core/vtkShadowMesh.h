@@ -1,0 +1,42 @@
+// The triangles of one vtkPolyData, ready to cast shadows.
+
+#ifndef vtkShadowMesh_h
+#define vtkShadowMesh_h
+
+#include "vtkSmartPointer.h"           // For Source
+#include "vtkSoftShadowsCoreModule.h" // For export macro
+#include "vtkType.h"                   // For vtkMTimeType
+
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+class vtkPolyData;
+
+struct VTKSOFTSHADOWSCORE_EXPORT vtkShadowMesh
+{
+  vtkSmartPointer<vtkPolyData> Source;
+  vtkMTimeType SourceTime = 0;
+  glm::dvec3 Centre{ 0.0 };           // model coordinates; positions are relative to it
+  std::vector<float> Positions;       // x, y, z, and one float of padding, for Embree
+  std::vector<std::uint32_t> Indices; // three a triangle
+  glm::dvec3 Minimum{ 0.0 };          // bounds, relative to Centre
+  glm::dvec3 Maximum{ 0.0 };
+  bool Flat = false;            // all vertices lie in one plane:
+  glm::dvec3 Normal{ 0.0 };     // its unit normal
+  glm::dvec3 PlanePoint{ 0.0 }; // one of its points
+  std::size_t Dropped = 0;      // triangles that were degenerate or not finite
+
+  std::size_t GetNumberOfVertices() const { return this->Positions.size() / 3; }
+  std::size_t GetNumberOfTriangles() const { return this->Indices.size() / 3; }
+
+  /** Polygons and strips of a vtkPolyData, triangulated. Vertices that no triangle uses go. */
+  static std::shared_ptr<const vtkShadowMesh> Make(vtkPolyData* source);
+  /** When the shape last changed: points and connectivity, not colours. */
+  static vtkMTimeType GetShapeTime(vtkPolyData* source);
+};
+
+#endif

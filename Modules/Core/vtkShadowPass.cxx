@@ -1,0 +1,579 @@
+#include "vtkShadowPass.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkLightCollection.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLError.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLState.h"
+#include "vtkPointData.h"
+#include "vtkFloatArray.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderState.h"
+#include "vtkShaderProgram.h"
+#include "vtkShadowDebugFS.h"
+#include "vtkShadowInjection.h"
+#include "vtkShadowPassInternals.h"
+#include "vtkShadowQuadVS.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtk_glew.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+//------------------------------------------------------------------------------
+vtkShadowPass::vtkShadowPass()
+  : Internal(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkShadowPass::~vtkShadowPass()
+{
+  this->Detach();
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::Render(const vtkRenderState* s)
+{
+  Internals& my = *this->Internal;
+  vtkRenderer* renderer = s->GetRenderer();
+  this->NumberOfRenderedProps = 0;
+  if (renderer->GetSelector())
+  {
+    this->RenderDelegate(s); // selection needs no shadows
+    return;
+  }
+  vtkOpenGLClearErrorMacro();
+  this->Attach(renderer);
+  my.Window->MakeCurrent();
+  my.Timers.StartFrame();
+  ++my.Frames;
+  my.BufferValid = false;
+  if (renderer->GetUseShadows())
+  {
+    this->WarnOnce("the renderer's UseShadows is switched off: this pass draws the shadows.");
+    renderer->UseShadowsOff();
+  }
+
+  my.Props.assign(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
+  // Headlights and camera lights follow the camera before their shadows do.
+  this->UpdateLightGeometry(renderer);
+  this->UpdateLights(renderer);
+  my.Active = this->PrepareShadows(renderer);
+  const bool debug = my.DebugView != "none";
+  if (my.Active && (my.ScreenSpace || debug))
+  {
+    this->EvaluateVisibility();
+  }
+
+  my.Mode = my.Active ? 1 : 0;
+  this->UpdateInjection();
+  if (my.Active)
+  {
+    this->ActivateLightData(my.Frame);
+    if (my.ScreenSpace)
+    {
+      my.Buffer.GetReceivers().Activate(my.Window);
+      my.Buffer.GetTarget().Activate(my.Window);
+    }
+  }
+  {
+    vtkShadowTimers::Scope timer(my.Timers, "shading");
+    this->MarkProps(true);
+    this->RenderDelegate(s);
+    this->MarkProps(false);
+  }
+  if (my.Active)
+  {
+    my.Buffer.GetReceivers().Deactivate(my.Window);
+    my.Buffer.GetTarget().Deactivate(my.Window);
+    if (debug)
+    {
+      this->DrawDebug();
+    }
+    this->DeactivateLightData(my.Frame);
+  }
+  vtkOpenGLCheckErrorMacro("failed after vtkShadowPass::Render");
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
+{
+  Internals& my = *this->Internal;
+  vtkShadowFrame& frame = my.Frame;
+  frame.Renderer = renderer;
+  frame.Window = my.Window;
+  frame.Casters = &my.Casters;
+  frame.Timers = &my.Timers;
+  frame.Lights.clear();
+  frame.Counts.clear();
+  my.LightNotes.clear();
+  if (!my.Technique)
+  {
+    this->WarnOnce(std::string(this->GetClassName()) + " has no technique: its module is not linked.");
+    return false;
+  }
+  if (!this->IsSupported(my.Window))
+  {
+    this->WarnOnce("drawn without shadows: " + this->GetUnsupportedReason() + ".");
+    return false;
+  }
+
+  std::vector<vtkShadowLight> lights = vtkShadowLight::Gather(renderer, this->DefaultLightRadius);
+  for (auto& light : lights)
+  {
+    const int shape = light.Emission ? 5 : static_cast<int>(light.Kind);
+    const char* name = vtkShadowTechnique::ShapeNames[shape];
+    std::string note = std::string(name) + ": shadowed";
+    if (my.Technique->LightShapes[shape] == vtkShadowShapeSupport::Unsupported)
+    {
+      note = std::string(name) + ": not supported by this technique, casts no shadow";
+      this->WarnOnce("a " + note + ".");
+    }
+    else if (static_cast<int>(frame.Lights.size()) >= Internals::MaximumLights ||
+      light.Slot >= Internals::MaximumSlots)
+    {
+      note = std::string(name) + ": one casting light too many, casts no shadow";
+      this->WarnOnce("more than 16 casting lights: the rest cast no shadow.");
+    }
+    else
+    {
+      frame.Lights.push_back(light);
+    }
+    my.LightNotes.push_back(note);
+  }
+  if (frame.Lights.empty())
+  {
+    return false;
+  }
+
+  const bool changed = my.Casters.Update(renderer);
+  frame.Counts["casters"] = static_cast<double>(my.Casters.Get().size());
+  frame.Counts["castersRebuilt"] = changed ? 1 : 0;
+  frame.Counts["vertices"] = static_cast<double>(my.Casters.GetNumberOfVertices());
+  frame.Counts["triangles"] = static_cast<double>(my.Casters.GetNumberOfTriangles());
+  frame.Counts["trianglesDropped"] = static_cast<double>(my.Casters.GetNumberOfDroppedTriangles());
+  if (frame.Counts["triangles"] == 0)
+  {
+    return false;
+  }
+
+  frame.Color = std::any_of(frame.Lights.begin(), frame.Lights.end(),
+    [](const vtkShadowLight& light) { return light.Emission != nullptr; });
+  const glm::dmat4 worldToVC = glm::transpose(
+    glm::make_mat4(renderer->GetActiveCamera()->GetModelViewTransformMatrix()->GetData()));
+  frame.VCToWC = glm::translate(glm::dmat4(1.0), -my.Casters.GetOrigin()) * glm::inverse(worldToVC);
+  int origin[2];
+  renderer->GetTiledSizeAndOrigin(&my.Size[0], &my.Size[1], &origin[0], &origin[1]);
+  if (my.Size[0] <= 0 || my.Size[1] <= 0)
+  {
+    return false;
+  }
+  {
+    vtkShadowTimers::Scope timer(my.Timers, "light data");
+    if (!this->UpdateLightData(frame))
+    {
+      return false;
+    }
+  }
+  const std::string choice = my.Values["evaluation"];
+  const bool canForward = this->CanEvaluateForward();
+  if (choice == "forward" && !canForward)
+  {
+    this->WarnOnce("cannot be evaluated forward with these parameters; it is in screen space.");
+  }
+  my.ScreenSpace =
+    choice == "screen" || !canForward || (choice == "auto" && !this->PrefersForward());
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::MarkProps(bool mark)
+{
+  // Actors within assemblies are drawn under their own keys.
+  Internals& my = *this->Internal;
+  if (mark)
+  {
+    my.Marked = my.Props;
+    for (vtkProp* prop : my.Props)
+    {
+      vtkShadowPass::ForEachActor(prop, [&my, prop](vtkActor* actor, vtkMatrix4x4*) {
+        if (actor != prop)
+        {
+          my.Marked.push_back(actor);
+        }
+      });
+    }
+    std::sort(my.Marked.begin(), my.Marked.end());
+    my.Marked.erase(std::unique(my.Marked.begin(), my.Marked.end()), my.Marked.end());
+  }
+  vtkRenderState state(my.Frame.Renderer ? my.Frame.Renderer : my.Renderer.Get());
+  state.SetPropArrayAndCount(my.Marked.data(), static_cast<int>(my.Marked.size()));
+  my.UpToDatePrograms.clear();
+  if (mark)
+  {
+    this->PreRender(&state);
+  }
+  else
+  {
+    this->PostRender(&state);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::EvaluateVisibility()
+{
+  Internals& my = *this->Internal;
+  vtkShadowFrame& frame = my.Frame;
+  if (!my.Buffer.Allocate(my.Window, my.Size[0], my.Size[1],
+        std::max<int>(1, static_cast<int>(frame.Lights.size())), frame.Color))
+  {
+    vtkErrorMacro(<< this->GetTechnique() << ": no memory for the visibility of " << my.Size[0]
+                  << " x " << my.Size[1] << " pixels; drawn without shadows.");
+    my.Active = false;
+    return;
+  }
+  {
+    vtkShadowTimers::Scope timer(my.Timers, "receivers");
+    this->RenderReceivers();
+  }
+  if (my.Active)
+  {
+    vtkShadowTimers::Scope timer(my.Timers, "visibility");
+    my.Buffer.SetWantsCost(my.Window, false);
+    this->ActivateLightData(frame);
+    this->FillVisibility(frame, my.Buffer);
+    this->DeactivateLightData(frame);
+  }
+  my.BufferValid = true;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::RenderReceivers()
+{
+  Internals& my = *this->Internal;
+  vtkOpenGLState* state = my.Window->GetState();
+  vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  vtkOpenGLState::ScopedglColorMask colorMask(state);
+  vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkShadowFramebuffer::Scope target(my.Window, my.Buffer.GetFramebuffer(),
+    &my.Buffer.GetReceivers(), &my.Buffer.GetReceiverDepth(), 0);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  const float nothing[] = { 0.0f, 0.0f, 0.0f, 0.0f };
+  const float farthest = 1.0f;
+  glClearBufferfv(GL_COLOR, 0, nothing);
+  glClearBufferfv(GL_DEPTH, 0, &farthest);
+
+  my.Mode = 2;
+  this->UpdateInjection();
+  this->MarkProps(true);
+  for (vtkProp* prop : my.Props)
+  {
+    prop->RenderOpaqueGeometry(my.Renderer);
+  }
+  this->MarkProps(false);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::FillVisibility(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer)
+{
+  vtkShadowFramebuffer::Scope target(
+    frame.Window, buffer.GetFramebuffer(), &buffer.GetTarget(), nullptr, 0);
+  for (std::size_t i = 0; i < frame.Lights.size(); ++i)
+  {
+    target.SetLayer(static_cast<int>(i));
+    this->DrawEvaluation(frame, buffer, static_cast<int>(i));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::DrawEvaluation(
+  vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int light, double share)
+{
+  Internals& my = *this->Internal;
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  const std::string source = vtkShadowInjection::GetEvaluation(
+    my.GetPreamble() + (buffer.WantsCost() ? "#define SHADOW_OUTPUT_COST\n" : "") +
+      (share > 0.0 ? "#define SHADOW_OUTPUT_CHANGE\n" : ""),
+    this->GetVisibilityGLSL());
+  this->DrawQuad(source, [&](vtkShaderProgram* program) {
+    buffer.GetReceivers().Activate(frame.Window);
+    program->SetUniformi("shadowReceivers", buffer.GetReceivers().GetUnit());
+    program->SetUniformi("shadowLight", light);
+    program->SetUniformf("shadowShare", static_cast<float>(share));
+    my.SetLights(program);
+    this->SetVisibilityParameters(program);
+  });
+  buffer.GetReceivers().Deactivate(frame.Window);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::DrawQuad(
+  const std::string& fragmentShader, const std::function<void(vtkShaderProgram*)>& setParameters)
+{
+  Internals& my = *this->Internal;
+  vtkShaderProgram* program = my.Window->GetShaderCache()->ReadyShaderProgram(
+    vtkShadowQuadVS, fragmentShader.c_str(), "");
+  if (!program)
+  {
+    return; // the shader cache has reported why
+  }
+  setParameters(program);
+  if (!my.QuadVertexArray)
+  {
+    glGenVertexArrays(1, &my.QuadVertexArray);
+  }
+  glBindVertexArray(my.QuadVertexArray);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glBindVertexArray(0);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::RenderDelegate(const vtkRenderState* s)
+{
+  Internals& my = *this->Internal;
+  if (my.Delegate)
+  {
+    my.Delegate->Render(s);
+    this->NumberOfRenderedProps += my.Delegate->GetNumberOfRenderedProps();
+    return;
+  }
+  vtkRenderer* renderer = s->GetRenderer();
+  auto* framebuffer = vtkOpenGLFramebufferObject::SafeDownCast(s->GetFrameBuffer());
+  if (!framebuffer)
+  {
+    // Just what the renderer does when it has no pass.
+    this->UpdateCamera(renderer);
+    this->UpdateLightGeometry(renderer);
+    this->UpdateLights(renderer);
+    this->UpdateGeometry(renderer);
+    return;
+  }
+  // Within another pass: the framebuffer is the viewport.
+  int size[2];
+  framebuffer->GetLastSize(size);
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+  state->vtkglViewport(0, 0, size[0], size[1]);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(0, 0, size[0], size[1]);
+  if (window->GetErase() && renderer->GetErase())
+  {
+    renderer->Clear();
+  }
+  this->UpdateLightGeometry(renderer);
+  this->UpdateLights(renderer);
+  this->UpdateGeometry(renderer, framebuffer);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::DrawDebug()
+{
+  static const char* const common[] = { "visibility", "penumbra", "cost" };
+  Internals& my = *this->Internal;
+  vtkOpenGLState* state = my.Window->GetState();
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_BLEND);
+  const auto* found = std::find(common, common + 3, my.DebugView);
+  if (found == common + 3)
+  {
+    this->DrawDebugView(my.Frame, my.DebugView);
+    return;
+  }
+  const bool cost = my.DebugView == "cost";
+  if (cost)
+  {
+    my.Buffer.SetWantsCost(my.Window, true);
+    this->FillVisibility(my.Frame, my.Buffer);
+  }
+  int viewport[4];
+  state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  std::string source = vtkShadowDebugFS;
+  vtkShaderProgram::Substitute(source, "SHADOW_DEBUG_SWIZZLE",
+    my.Buffer.IsColor() && !cost ? "texel.rgb" : "texel.rrr");
+  my.Buffer.GetTarget().Activate(my.Window);
+  my.Buffer.GetReceivers().Activate(my.Window);
+  this->DrawQuad(source, [&](vtkShaderProgram* program) {
+    program->SetUniformi("shadowReceivers", my.Buffer.GetReceivers().GetUnit());
+    program->SetUniformi("shadowBuffer", my.Buffer.GetTarget().GetUnit());
+    program->SetUniform2i("shadowOrigin", viewport);
+    program->SetUniformi("shadowLights", static_cast<int>(my.Frame.Lights.size()));
+    program->SetUniformi("shadowView", static_cast<int>(found - common));
+    program->SetUniformf(
+      "shadowCostScale", static_cast<float>(1.0 / std::max(1.0, this->GetMaximumCost())));
+  });
+  my.Buffer.GetReceivers().Deactivate(my.Window);
+  my.Buffer.GetTarget().Deactivate(my.Window);
+  my.Buffer.SetWantsCost(my.Window, false);
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkShadowPass::GetVisibility(vtkLight* light)
+{
+  Internals& my = *this->Internal;
+  for (std::size_t i = 0; i < my.Frame.Lights.size(); ++i)
+  {
+    if (my.Frame.Lights[i].Light == light)
+    {
+      return this->GetVisibilityOfLayer(static_cast<int>(i));
+    }
+  }
+  return this->GetVisibilityOfLayer(-1);
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkShadowPass::GetVisibility(int light)
+{
+  return this->GetVisibilityOfLayer(
+    light >= 0 && light < static_cast<int>(this->Internal->Frame.Lights.size()) ? light : -1);
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkShadowPass::GetVisibilityOfLayer(int layer)
+{
+  Internals& my = *this->Internal;
+  if (!my.Window || !my.Renderer || my.Frames == 0)
+  {
+    vtkErrorMacro("GetVisibility: nothing has been rendered yet.");
+    return nullptr;
+  }
+  my.Window->MakeCurrent();
+  if (!my.BufferValid)
+  {
+    vtkOpenGLState* state = my.Window->GetState();
+    state->Push();
+    if (!my.Active)
+    {
+      int origin[2];
+      my.Renderer->GetTiledSizeAndOrigin(&my.Size[0], &my.Size[1], &origin[0], &origin[1]);
+    }
+    this->EvaluateVisibility();
+    state->Pop();
+  }
+  const int width = my.Buffer.GetWidth();
+  const int height = my.Buffer.GetHeight();
+  const int stored = my.Buffer.GetComponents();
+  const int components = stored == 1 ? 1 : 3;
+  const vtkIdType pixels = static_cast<vtkIdType>(width) * height;
+  const auto receivers = my.Buffer.ReadReceivers(my.Window);
+  const bool shadowed = my.Active && layer >= 0;
+  const auto values =
+    shadowed ? my.Buffer.ReadVisibility(my.Window, layer) : std::vector<float>();
+
+  vtkNew<vtkFloatArray> visibility;
+  visibility->SetName("Visibility");
+  visibility->SetNumberOfComponents(components);
+  visibility->SetNumberOfTuples(pixels);
+  vtkNew<vtkUnsignedCharArray> mask;
+  mask->SetName("Receiver");
+  mask->SetNumberOfTuples(pixels);
+  for (vtkIdType i = 0; i < pixels; ++i)
+  {
+    mask->SetValue(i, receivers[i].w != 0.0f);
+    for (int c = 0; c < components; ++c)
+    {
+      visibility->SetComponent(i, c, shadowed ? values[i * stored + c] : 1.0f);
+    }
+  }
+  my.VisibilityImage->Initialize();
+  my.VisibilityImage->SetDimensions(width, height, 1);
+  my.VisibilityImage->GetPointData()->SetScalars(visibility);
+  my.VisibilityImage->GetPointData()->AddArray(mask);
+  return my.VisibilityImage;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::Attach(vtkRenderer* renderer)
+{
+  Internals& my = *this->Internal;
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (my.Renderer != renderer || my.Window != window)
+  {
+    this->Detach();
+    my.Renderer = renderer;
+    my.Window = window;
+    my.Observers[0] =
+      renderer->AddObserver(vtkCommand::EndEvent, this, &vtkShadowPass::ReleaseWhenRemoved);
+    my.Observers[1] =
+      renderer->AddObserver(vtkCommand::ModifiedEvent, this, &vtkShadowPass::ReleaseWhenRemoved);
+  }
+  my.WasRoot = renderer->GetPass() == this;
+  my.Drawn = true;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::Detach()
+{
+  Internals& my = *this->Internal;
+  if (my.Renderer)
+  {
+    my.Renderer->RemoveObserver(my.Observers[0]);
+    my.Renderer->RemoveObserver(my.Observers[1]);
+  }
+  if (my.Window)
+  {
+    my.Window->MakeCurrent();
+    this->ReleaseGraphicsResources(my.Window);
+  }
+  my.Renderer = nullptr;
+  my.Window = nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::ReleaseWhenRemoved(vtkObject*, unsigned long event, void*)
+{
+  // Mappers may hold this pass in their caches long after it was taken off the renderer, so its
+  // end cannot be what frees the GPU's memory.
+  Internals& my = *this->Internal;
+  const bool removed = event == vtkCommand::EndEvent
+    ? !my.Drawn
+    : my.WasRoot && my.Renderer && my.Renderer->GetPass() != this;
+  if (event == vtkCommand::EndEvent)
+  {
+    my.Drawn = false;
+  }
+  if (removed)
+  {
+    this->Detach();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  Internals& my = *this->Internal;
+  auto* glWindow = vtkOpenGLRenderWindow::SafeDownCast(window);
+  if (glWindow && glWindow == my.Window)
+  {
+    my.Timers.Release();
+    my.Casters.ReleaseGraphicsResources(glWindow);
+    my.Buffer.Release(glWindow);
+    glDeleteVertexArrays(1, &my.QuadVertexArray); // 0 is no error
+    my.QuadVertexArray = 0;
+    this->ReleaseLightData(glWindow);
+    my.BufferValid = false;
+    my.Active = false;
+  }
+  if (my.Delegate)
+  {
+    my.Delegate->ReleaseGraphicsResources(window);
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+}

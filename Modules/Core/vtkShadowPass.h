@@ -1,0 +1,280 @@
+/**
+ * @class   vtkShadowPass
+ * @brief   Base of all shadow passes: what VTK draws, with each light's colour times its visibility.
+ *
+ * @code{.cpp}
+ * auto pass = vtkSmartPointer<vtkShadowPass>::Take(vtkShadowTechniques::Create("map-soft"));
+ * renderer->SetPass(pass);
+ * @endcode
+ *
+ * For light i and surface point p, visibility V_i(p) in [0,1] is the fraction of the light's area
+ * that p sees past the casters (a colour for a textured light). Shading multiplies light i's colour
+ * by 1 - A_i (1 - V_i), A_i being vtkLight::GetShadowAttenuation(). All else of shading is VTK's.
+ *
+ * A frame:
+ *   1. gather lights and casters (kept while unchanged),
+ *   2. the technique builds its light data (kept while lights, casters and parameters are unchanged;
+ *      a moving camera rebuilds nothing),
+ *   3. where visibility is evaluated in screen space: draw the receivers' positions and normals,
+ *      then V_i of each light,
+ *   4. the delegate draws what VTK draws, with V_i injected into each prop's fragment shader: from
+ *      the technique's GLSL (forward) or from the buffer of stage 3,
+ *   5. a debug view, if one is set.
+ *
+ * Textures: receivers RGBA32F, viewport size (position in VC, normal packed); visibility R32F or,
+ * with a textured light, RGBA32F, viewport size, a layer each light; what the technique adds.
+ *
+ * Works on several renderers by several passes; one pass serves one renderer at a time.
+ */
+
+#ifndef vtkShadowPass_h
+#define vtkShadowPass_h
+
+#include "vtkOpenGLRenderPass.h"
+#include "vtkSoftShadowsCoreModule.h" // For export macro
+
+#include <functional> // For ForEachActor
+#include <memory>     // For Internal
+#include <string>     // For parameters
+#include <utility>    // For std::pair
+#include <vector>     // For common parameters
+
+class vtkActor;
+class vtkImageData;
+class vtkInformationIntegerKey;
+class vtkLight;
+class vtkMatrix4x4;
+class vtkProp;
+class vtkRenderWindow;
+class vtkVisibilityBuffer;
+struct vtkShadowFrame;
+struct vtkShadowParameter;
+struct vtkShadowTechnique;
+
+class VTKSOFTSHADOWSCORE_EXPORT vtkShadowPass : public vtkOpenGLRenderPass
+{
+public:
+  vtkTypeMacro(vtkShadowPass, vtkOpenGLRenderPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * What is shaded. Default: none, which draws everything that VTK draws without a pass: opaque,
+   * translucent, volumetric and overlay, with the renderer's depth peeling, SSAO and FXAA.
+   */
+  void SetDelegatePass(vtkRenderPass* delegate);
+  vtkRenderPass* GetDelegatePass();
+  ///@}
+
+  ///@{
+  /**
+   * Which technique of the class this is, for a class that has several ("volume-hard",
+   * "volume-soft"). Setting it restores the default parameters. vtkShadowTechniques::Create does
+   * this. False, with an error, if the name is not one of this class.
+   */
+  bool SetTechnique(const std::string& name);
+  std::string GetTechnique();
+  ///@}
+
+  ///@{
+  /**
+   * Parameters as text, as vtkShadowTechniques::Describe lists them. SetParameter gives false, with
+   * an error that names the choices, for an unknown name or a value that is out of range;
+   * GetParameter gives "", with an error, for an unknown name.
+   */
+  bool SetParameter(const std::string& name, const std::string& value);
+  std::string GetParameter(const std::string& name);
+  ///@}
+
+  ///@{
+  /**
+   * Set the parameters that trade quality for time to their presets. Default: High.
+   */
+  void SetQualityToLow() { this->SetQuality(0); }
+  void SetQualityToMedium() { this->SetQuality(1); }
+  void SetQualityToHigh() { this->SetQuality(2); }
+  void SetQualityToReference() { this->SetQuality(3); }
+  ///@}
+
+  ///@{
+  /**
+   * Show this instead of the picture: "none", "visibility" (of the light of the lowest V at each
+   * pixel), "penumbra" (pixels with V in 0.02 to 0.98 coloured by V), "cost" (samples spent per
+   * pixel; black 0, white the most), or what the technique adds (GetDebugViews). False, with an
+   * error, for an unknown one.
+   */
+  bool SetDebugView(const std::string& view);
+  std::string GetDebugView();
+  ///@}
+  /** The debug views of this technique, separated by spaces. */
+  virtual std::string GetDebugViews();
+
+  ///@{
+  /**
+   * Radius, in world units, of the sphere that plain positional vtkLights are taken for. Default: 0,
+   * points with hard shadows.
+   */
+  vtkSetClampMacro(DefaultLightRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(DefaultLightRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a prop or a light casts shadows, whether a prop receives them. Default: all do. Kept
+   * in the prop's property keys and the light's information: CASTS_SHADOW, RECEIVES_SHADOW.
+   */
+  static vtkInformationIntegerKey* CASTS_SHADOW();
+  static vtkInformationIntegerKey* RECEIVES_SHADOW();
+  static void SetCasting(vtkProp* prop, bool casts);
+  static bool GetCasting(vtkProp* prop);
+  static void SetReceiving(vtkProp* prop, bool receives);
+  static bool GetReceiving(vtkProp* prop);
+  static void SetLightCasting(vtkLight* light, bool casts);
+  static bool GetLightCasting(vtkLight* light);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the technique runs in a window (its OpenGL version, and what else it needs). If not,
+   * GetUnsupportedReason says why, and Render reports it once and draws without shadows.
+   */
+  bool IsSupported(vtkRenderWindow* window);
+  std::string GetUnsupportedReason();
+  ///@}
+
+  ///@{
+  /**
+   * Visibility of a light at the pixels of the last frame, as point data of an image the size of the
+   * viewport: "Visibility", float, 1 component (3 for a textured light), 1 where nothing is seen;
+   * "Receiver", unsigned char, 1 where a surface is seen that is lit and receives, else 0.
+   * The light is given by itself or by its place among the renderer's casting lights. A pass that
+   * evaluates forward draws the receivers for it now; a light that casts no shadow gives 1.
+   * The image is the pass's own and stays until the next call; nullptr, with an error, before the
+   * first frame.
+   */
+  vtkImageData* GetVisibility(int light);
+  vtkImageData* GetVisibility(vtkLight* light);
+  ///@}
+
+  /**
+   * JSON about the last frame: technique, GPU milliseconds by stage ("milliseconds"), what was
+   * rebuilt, reused and skipped ("counts": casters, triangles, dropped triangles, maps drawn, ...),
+   * bytes held on the GPU ("bytes"), and the lights and how each was treated.
+   */
+  std::string GetStatistics();
+
+  /** Parameters that all techniques share. */
+  static const std::vector<vtkShadowParameter>& GetCommonParameters();
+
+  /**
+   * Call a function with each actor that a prop draws, itself or within an assembly, and its matrix.
+   */
+  static void ForEachActor(
+    vtkProp* prop, const std::function<void(vtkActor*, vtkMatrix4x4*)>& function);
+
+  ///@{
+  /** The pass's part in VTK's rendering; not for users. */
+  void Render(const vtkRenderState* s) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
+  vtkMTimeType GetShaderStageMTime() override;
+  ///@}
+
+protected:
+  vtkShadowPass();
+  ~vtkShadowPass() override;
+
+  //@{
+  /** What a technique does; called with the window current, within a frame. */
+
+  /**
+   * Stage 2: bring the light data of frame.Lights up to date; count in frame.Statistics. False where
+   * it cannot be had, after an error that says why: the frame is then drawn without shadows.
+   */
+  virtual bool UpdateLightData(vtkShadowFrame& frame) = 0;
+  /**
+   * GLSL that defines `SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionWC, vec3 normalWC)`
+   * with what vtkShadowLightsFS.glsl declares, counting what it spends in shadowCost. Empty for a
+   * technique that fills the buffer itself.
+   */
+  virtual std::string GetVisibilityGLSL() { return ""; }
+  /** Whether the light data is such that the GLSL can run in each prop's shader. */
+  virtual bool CanEvaluateForward() { return !this->GetVisibilityGLSL().empty(); }
+  /** Forward is better where this is true and the user has not said which. */
+  virtual bool PrefersForward() { return true; }
+  /** Bind the light data's textures, before drawing; and unbind them. */
+  virtual void ActivateLightData(vtkShadowFrame&) {}
+  virtual void DeactivateLightData(vtkShadowFrame&) {}
+  /** Set what the GLSL needs, on each program that has it. */
+  virtual void SetVisibilityParameters(vtkShaderProgram*) {}
+  /**
+   * Stage 3: fill the buffer's layer of each of frame.Lights. By default from the GLSL. The cost
+   * layer is filled too where buffer.WantsCost().
+   */
+  virtual void FillVisibility(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer);
+  /** What "cost" shows as white: the most samples that a pixel can take. */
+  virtual double GetMaximumCost() { return 1.0; }
+  /** A debug view of the technique's own, drawn over the viewport that is set. */
+  virtual void DrawDebugView(vtkShadowFrame&, const std::string&) {}
+  /** Free the light data. */
+  virtual void ReleaseLightData(vtkRenderWindow* window) = 0;
+  /** Bytes of the light data, by name. */
+  virtual std::vector<std::pair<std::string, std::size_t>> GetLightDataBytes() { return {}; }
+  /** Whether the window has what the technique needs; else a reason. */
+  virtual std::string FindUnsupported(vtkRenderWindow*) { return ""; }
+  //@}
+
+  //@{
+  /** Values of declared parameters. */
+  int GetInteger(const std::string& name);
+  double GetReal(const std::string& name);
+  bool GetBoolean(const std::string& name);
+  std::string GetText(const std::string& name);
+  //@}
+  /** When parameters last changed: light data that depends on them is then to be built anew. */
+  vtkMTimeType GetParameterTime();
+  /**
+   * Draw the GLSL's visibility of a light into the framebuffer that is bound. With a share, what is
+   * drawn is the (negative) change of visibility, to be added up over parts of the light: the share
+   * is this part's.
+   */
+  void DrawEvaluation(
+    vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int light, double share = 0.0);
+  /** Free all that is on the GPU; a subclass's destructor calls this while it can still free. */
+  void Detach();
+  /** Draw a fragment shader over the viewport that is set. */
+  void DrawQuad(const std::string& fragmentShader,
+    const std::function<void(vtkShaderProgram*)>& setParameters);
+  /** Say something once until the technique or a parameter is set again. */
+  void WarnOnce(const std::string& message);
+
+  double DefaultLightRadius = 0.0;
+
+private:
+  vtkShadowPass(const vtkShadowPass&) = delete;
+  void operator=(const vtkShadowPass&) = delete;
+
+  void SetQuality(int level);
+  const vtkShadowParameter* FindParameter(const std::string& name) const;
+
+  void Attach(vtkRenderer* renderer);
+  void ReleaseWhenRemoved(vtkObject* caller, unsigned long event, void* data);
+  bool PrepareShadows(vtkRenderer* renderer);
+  void EvaluateVisibility();
+  void RenderReceivers();
+  void UpdateInjection();
+  void MarkProps(bool mark);
+  void RenderDelegate(const vtkRenderState* s);
+  void DrawDebug();
+  vtkImageData* GetVisibilityOfLayer(int layer);
+
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

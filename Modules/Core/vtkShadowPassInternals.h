@@ -1,0 +1,78 @@
+// The state of a vtkShadowPass.
+
+#ifndef vtkShadowPassInternals_h
+#define vtkShadowPassInternals_h
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkRenderPass.h"
+#include "vtkRenderer.h"
+#include "vtkShadowCasters.h"
+#include "vtkShadowFrame.h"
+#include "vtkShadowGL.h"
+#include "vtkShadowPass.h"
+#include "vtkShadowTechnique.h"
+#include "vtkSmartPointer.h"
+#include "vtkTimeStamp.h"
+#include "vtkVisibilityBuffer.h"
+#include "vtkWeakPointer.h"
+
+#include <map>
+#include <set>
+#include <string>
+
+class vtkShadowPass::Internals
+{
+public:
+  /** Limits of the GLSL's uniform arrays. */
+  static constexpr int MaximumLights = 16;
+  static constexpr int MaximumSlots = 32;
+
+  // Settings.
+  const vtkShadowTechnique* Technique = nullptr;
+  std::map<std::string, std::string> Values;
+  vtkTimeStamp ParameterTime;
+  std::string DebugView = "none";
+  vtkSmartPointer<vtkRenderPass> Delegate;
+  std::string UnsupportedReason;
+  std::set<std::string> Said;
+
+  // The frame.
+  vtkShadowFrame Frame;
+  vtkShadowCasters Casters;
+  vtkVisibilityBuffer Buffer;
+  vtkShadowTimers Timers;
+  std::vector<std::string> LightNotes; // JSON objects: how each light was treated
+  bool Active = false;                 // shadows are drawn in this frame
+  bool BufferValid = false;            // the buffer holds the last frame
+  bool ScreenSpace = false;
+  int Mode = 0; // shadowMode of the injected code
+  int Size[2] = { 0, 0 };
+  std::vector<vtkProp*> Props;  // what survived culling
+  std::vector<vtkProp*> Marked; // these and their parts, while they carry the pass's key
+  std::set<vtkShaderProgram*> UpToDatePrograms;
+  unsigned int QuadVertexArray = 0;
+  unsigned long Frames = 0;
+
+  // What is injected; a change makes the mappers build their shaders anew.
+  std::string Declarations;
+  vtkTimeStamp StageTime;
+
+  // Release when removed: see vtkShadowPass::ReleaseWhenRemoved.
+  vtkWeakPointer<vtkRenderer> Renderer;
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  unsigned long Observers[2] = { 0, 0 };
+  bool WasRoot = false;
+  bool Drawn = false; // in the renderer's frame that is going on
+
+  vtkNew<vtkImageData> VisibilityImage;
+
+  /** Lights' uniforms of vtkShadowLightsFS.glsl. */
+  void SetLights(vtkShaderProgram* program);
+  /** `#define`s and GLSL that both ways of evaluation start with. */
+  std::string GetPreamble() const;
+};
+
+#endif

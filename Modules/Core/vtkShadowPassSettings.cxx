@@ -1,0 +1,434 @@
+// The settings of vtkShadowPass: technique, parameters, debug view, casting keys, statistics.
+
+#include "vtkShadowPassInternals.h"
+
+#include "vtkActor.h"
+#include "vtkAssembly.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkLight.h"
+#include "vtkMatrix4x4.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+
+vtkInformationKeyMacro(vtkShadowPass, CASTS_SHADOW, Integer);
+vtkInformationKeyMacro(vtkShadowPass, RECEIVES_SHADOW, Integer);
+
+namespace
+{
+std::string Join(const std::vector<std::string>& words)
+{
+  std::string text;
+  for (const auto& word : words)
+  {
+    text += (text.empty() ? "" : ", ") + word;
+  }
+  return text;
+}
+
+/** The value in its plain form, or "" if it is not one of this parameter. */
+std::string Normalize(const vtkShadowParameter& parameter, const std::string& value)
+{
+  using Type = vtkShadowParameter::Type;
+  if (parameter.ValueType == Type::Boolean)
+  {
+    const bool on = value == "on" || value == "true" || value == "1";
+    const bool off = value == "off" || value == "false" || value == "0";
+    return on ? "on" : (off ? "off" : "");
+  }
+  if (parameter.ValueType == Type::Choice)
+  {
+    const auto& choices = parameter.Choices;
+    return std::find(choices.begin(), choices.end(), value) != choices.end() ? value : "";
+  }
+  char* end = nullptr;
+  const double number = std::strtod(value.c_str(), &end);
+  const bool whole = parameter.ValueType != Type::Integer || number == std::floor(number);
+  // The comparisons are false for NaN.
+  const bool valid = !value.empty() && *end == '\0' && whole && number >= parameter.Minimum &&
+    number <= parameter.Maximum;
+  return valid ? value : "";
+}
+
+std::string DescribeRange(const vtkShadowParameter& parameter)
+{
+  using Type = vtkShadowParameter::Type;
+  std::ostringstream text;
+  switch (parameter.ValueType)
+  {
+    case Type::Boolean:
+      text << "on or off";
+      break;
+    case Type::Choice:
+      text << "one of: " << Join(parameter.Choices);
+      break;
+    default:
+      text << (parameter.ValueType == Type::Integer ? "a whole number" : "a number") << " from "
+           << parameter.Minimum << " to " << parameter.Maximum;
+  }
+  return text.str();
+}
+
+bool GetSwitch(vtkInformation* keys, vtkInformationIntegerKey* key)
+{
+  return !keys || !keys->Has(key) || keys->Get(key) != 0;
+}
+
+void SetSwitch(vtkProp* prop, vtkInformationIntegerKey* key, bool on)
+{
+  if (!prop->GetPropertyKeys())
+  {
+    vtkNew<vtkInformation> keys;
+    prop->SetPropertyKeys(keys);
+  }
+  prop->GetPropertyKeys()->Set(key, on ? 1 : 0);
+}
+}
+
+//------------------------------------------------------------------------------
+const std::vector<vtkShadowParameter>& vtkShadowPass::GetCommonParameters()
+{
+  using Type = vtkShadowParameter::Type;
+  static const std::vector<vtkShadowParameter> parameters = {
+    { "evaluation", Type::Choice, "auto", 0, 0, { "auto", "forward", "screen" }, "",
+      "Where visibility is evaluated: in each prop's shader (forward; keeps translucent receivers "
+      "and several samples a pixel), or once a pixel into a buffer (screen); auto takes what the "
+      "technique measured as the faster",
+      {} },
+  };
+  return parameters;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::SetTechnique(const std::string& name)
+{
+  const vtkShadowTechnique* technique = vtkShadowTechniqueRegistration::Find(name);
+  if (!technique || technique->ClassName != this->GetClassName())
+  {
+    vtkErrorMacro("'" << name << "' is not a technique of " << this->GetClassName() << ".");
+    return false;
+  }
+  this->Internal->Technique = technique;
+  this->Internal->Values.clear();
+  for (const auto* list : { &technique->Parameters, &vtkShadowPass::GetCommonParameters() })
+  {
+    for (const auto& parameter : *list)
+    {
+      this->Internal->Values[parameter.Name] = parameter.Default;
+    }
+  }
+  this->Internal->DebugView = "none";
+  this->Internal->Said.clear();
+  this->Internal->ParameterTime.Modified();
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkShadowPass::GetTechnique()
+{
+  return this->Internal->Technique ? this->Internal->Technique->Name : "";
+}
+
+//------------------------------------------------------------------------------
+const vtkShadowParameter* vtkShadowPass::FindParameter(const std::string& name) const
+{
+  if (this->Internal->Technique)
+  {
+    for (const auto* list :
+      { &this->Internal->Technique->Parameters, &vtkShadowPass::GetCommonParameters() })
+    {
+      for (const auto& parameter : *list)
+      {
+        if (parameter.Name == name)
+        {
+          return &parameter;
+        }
+      }
+    }
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::SetParameter(const std::string& name, const std::string& value)
+{
+  const vtkShadowParameter* parameter = this->FindParameter(name);
+  if (!parameter)
+  {
+    std::vector<std::string> known;
+    for (const auto& entry : this->Internal->Values)
+    {
+      known.push_back(entry.first);
+    }
+    vtkErrorMacro(<< this->GetTechnique() << " has no parameter '" << name
+                  << "'. Known: " << Join(known) << ".");
+    return false;
+  }
+  const std::string plain = Normalize(*parameter, value);
+  if (plain.empty())
+  {
+    vtkErrorMacro(<< this->GetTechnique() << ": parameter '" << name << "' cannot be '" << value
+                  << "'; it is " << DescribeRange(*parameter) << ".");
+    return false;
+  }
+  std::string& current = this->Internal->Values[name];
+  if (current != plain)
+  {
+    current = plain;
+    this->Internal->Said.clear();
+    this->Internal->ParameterTime.Modified();
+    this->Modified();
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkShadowPass::GetParameter(const std::string& name)
+{
+  if (!this->FindParameter(name))
+  {
+    vtkErrorMacro(<< this->GetTechnique() << " has no parameter '" << name << "'.");
+    return "";
+  }
+  return this->Internal->Values[name];
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::SetQuality(int level)
+{
+  if (!this->Internal->Technique)
+  {
+    return;
+  }
+  for (const auto& parameter : this->Internal->Technique->Parameters)
+  {
+    if (!parameter.Presets.empty())
+    {
+      this->SetParameter(parameter.Name, parameter.Presets[level]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkShadowPass::GetInteger(const std::string& name)
+{
+  return static_cast<int>(this->GetReal(name));
+}
+
+//------------------------------------------------------------------------------
+double vtkShadowPass::GetReal(const std::string& name)
+{
+  return std::strtod(this->Internal->Values[name].c_str(), nullptr);
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::GetBoolean(const std::string& name)
+{
+  return this->Internal->Values[name] == "on";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkShadowPass::GetText(const std::string& name)
+{
+  return this->Internal->Values[name];
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkShadowPass::GetParameterTime()
+{
+  return this->Internal->ParameterTime;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::WarnOnce(const std::string& message)
+{
+  if (this->Internal->Said.insert(message).second)
+  {
+    vtkWarningMacro(<< this->GetTechnique() << ": " << message);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkShadowPass::GetDebugViews()
+{
+  return "none visibility penumbra cost";
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::SetDebugView(const std::string& view)
+{
+  std::istringstream known(this->GetDebugViews());
+  for (std::string name; known >> name;)
+  {
+    if (name == view)
+    {
+      this->Internal->DebugView = view;
+      this->Modified();
+      return true;
+    }
+  }
+  vtkErrorMacro(<< this->GetTechnique() << " has no debug view '" << view
+                << "'. Known: " << this->GetDebugViews() << ".");
+  return false;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkShadowPass::GetDebugView()
+{
+  return this->Internal->DebugView;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::SetDelegatePass(vtkRenderPass* delegate)
+{
+  if (this->Internal->Delegate != delegate)
+  {
+    this->Internal->Delegate = delegate;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkRenderPass* vtkShadowPass::GetDelegatePass()
+{
+  return this->Internal->Delegate;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::SetCasting(vtkProp* prop, bool casts)
+{
+  SetSwitch(prop, vtkShadowPass::CASTS_SHADOW(), casts);
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::GetCasting(vtkProp* prop)
+{
+  return GetSwitch(prop->GetPropertyKeys(), vtkShadowPass::CASTS_SHADOW());
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::SetReceiving(vtkProp* prop, bool receives)
+{
+  SetSwitch(prop, vtkShadowPass::RECEIVES_SHADOW(), receives);
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::GetReceiving(vtkProp* prop)
+{
+  return GetSwitch(prop->GetPropertyKeys(), vtkShadowPass::RECEIVES_SHADOW());
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::SetLightCasting(vtkLight* light, bool casts)
+{
+  if (!light->GetInformation())
+  {
+    vtkNew<vtkInformation> keys;
+    light->SetInformation(keys);
+  }
+  light->GetInformation()->Set(vtkShadowPass::CASTS_SHADOW(), casts ? 1 : 0);
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::GetLightCasting(vtkLight* light)
+{
+  return GetSwitch(light->GetInformation(), vtkShadowPass::CASTS_SHADOW());
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::ForEachActor(
+  vtkProp* prop, const std::function<void(vtkActor*, vtkMatrix4x4*)>& function)
+{
+  if (auto* actor = vtkActor::SafeDownCast(prop))
+  {
+    function(actor, actor->GetMatrix());
+    return;
+  }
+  if (!prop->IsA("vtkAssembly") && !prop->IsA("vtkPropAssembly"))
+  {
+    return;
+  }
+  prop->InitPathTraversal();
+  while (vtkAssemblyPath* path = prop->GetNextPath())
+  {
+    vtkAssemblyNode* node = path->GetLastNode();
+    auto* actor = vtkActor::SafeDownCast(node->GetViewProp());
+    if (actor && actor->GetVisibility())
+    {
+      function(actor, node->GetMatrix() ? node->GetMatrix() : actor->GetMatrix());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::IsSupported(vtkRenderWindow* window)
+{
+  auto* glWindow = vtkOpenGLRenderWindow::SafeDownCast(window);
+  if (!glWindow)
+  {
+    this->Internal->UnsupportedReason = "the window is not a vtkOpenGLRenderWindow";
+  }
+  else
+  {
+    glWindow->MakeCurrent();
+    this->Internal->UnsupportedReason = this->FindUnsupported(window);
+  }
+  return this->Internal->UnsupportedReason.empty();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkShadowPass::GetUnsupportedReason()
+{
+  return this->Internal->UnsupportedReason;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkShadowPass::GetStatistics()
+{
+  Internals& my = *this->Internal;
+  nlohmann::ordered_json json = { { "technique", this->GetTechnique() }, { "frame", my.Frames },
+    { "evaluation", my.Active ? (my.ScreenSpace ? "screen" : "forward") : "none" } };
+  if (my.Window && my.Window->GetMapped() + my.Window->GetOffScreenRendering() > 0)
+  {
+    my.Window->MakeCurrent();
+    json["milliseconds"] = my.Timers.GetMilliseconds();
+  }
+  json["counts"] = my.Frame.Counts;
+  json["lights"] = nlohmann::ordered_json::array();
+  for (const auto& note : my.LightNotes)
+  {
+    json["lights"].push_back(note);
+  }
+  const std::size_t casterBytes = my.Casters.GetGPUBytes();
+  json["bytes"]["casters"] = casterBytes;
+  std::size_t total = casterBytes + my.Buffer.GetGPUBytes();
+  json["bytes"]["buffers"] = my.Buffer.GetGPUBytes();
+  for (const auto& entry : this->GetLightDataBytes())
+  {
+    json["bytes"][entry.first] = entry.second;
+    total += entry.second;
+  }
+  json["bytes"]["total"] = total;
+  return json.dump(2);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Technique: " << this->GetTechnique() << "\n";
+  for (const auto& entry : this->Internal->Values)
+  {
+    os << indent << entry.first << ": " << entry.second << "\n";
+  }
+  os << indent << "DebugView: " << this->Internal->DebugView << "\n";
+  os << indent << "DefaultLightRadius: " << this->DefaultLightRadius << "\n";
+  os << indent << "DelegatePass: " << this->Internal->Delegate.Get() << "\n";
+}

@@ -1,0 +1,64 @@
+// The screen-space buffers of a pass: what each pixel's receiver is, and its visibility.
+//
+//   receivers   RGBA32F  xyz: position in VC; w: packed normal (see vtkShadowLightsFS.glsl),
+//                        negative where the prop does not cast, 0 where nothing receives
+//   depth       32F      helper of the receivers
+//   visibility  R32F, or RGBA32F with a textured light; a layer each light
+//   cost        R32F, a layer each light; only for the debug view
+
+#ifndef vtkVisibilityBuffer_h
+#define vtkVisibilityBuffer_h
+
+#include "vtkShadowGL.h"               // For textures
+#include "vtkSoftShadowsCoreModule.h" // For export macro
+
+#include <glm/vec4.hpp>
+
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+
+class VTKSOFTSHADOWSCORE_EXPORT vtkVisibilityBuffer
+{
+public:
+  /** Make it this size. False when out of memory. */
+  bool Allocate(vtkOpenGLRenderWindow* window, int width, int height, int lights, bool color);
+
+  int GetWidth() const { return this->Receivers.GetWidth(); }
+  int GetHeight() const { return this->Receivers.GetHeight(); }
+  bool IsColor() const { return this->Color; }
+  /** 1, or 4 where a light is textured. */
+  int GetComponents() const { return this->Color ? 4 : 1; }
+
+  /** The cost is to be filled, not the visibility. */
+  bool WantsCost() const { return this->FillingCost; }
+  void SetWantsCost(vtkOpenGLRenderWindow* window, bool cost);
+  /** What is to be filled, a layer each light. */
+  vtkShadowTexture& GetTarget() { return this->FillingCost ? this->Cost : this->Visibility; }
+
+  vtkShadowTexture& GetReceivers() { return this->Receivers; }
+  const vtkShadowTexture& GetReceiverDepth() const { return this->ReceiverDepth; }
+  vtkShadowFramebuffer& GetFramebuffer() { return this->Framebuffer; }
+
+  /** Texels, row by row from the bottom. */
+  std::vector<glm::vec4> ReadReceivers(vtkOpenGLRenderWindow* window);
+  /** GetComponents() floats a pixel. */
+  std::vector<float> ReadVisibility(vtkOpenGLRenderWindow* window, int light);
+
+  std::size_t GetGPUBytes() const;
+  void Release(vtkOpenGLRenderWindow* window);
+
+private:
+  void Read(vtkOpenGLRenderWindow* window, const vtkShadowTexture& texture, int layer,
+    int components, float* values);
+
+  vtkShadowTexture Receivers;
+  vtkShadowTexture ReceiverDepth;
+  vtkShadowTexture Visibility;
+  vtkShadowTexture Cost;
+  vtkShadowFramebuffer Framebuffer;
+  bool Color = false;
+  bool FillingCost = false;
+};
+
+#endif

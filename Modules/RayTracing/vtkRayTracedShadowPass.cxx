@@ -1,0 +1,160 @@
+#include "vtkRayTracedShadowPass.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkShadowCasters.h"
+#include "vtkShadowFrame.h"
+#include "vtkShadowRayTracer.h"
+#include "vtkShadowTechnique.h"
+#include "vtkVisibilityBuffer.h"
+
+#include <glm/geometric.hpp>
+
+#include <chrono>
+#include <cmath>
+
+vtkStandardNewMacro(vtkRayTracedShadowPass);
+vtkShadowTechniqueAutoInit(VTKSOFTSHADOWSRAYTRACING_EXPORT, vtkSoftShadowsRayTracing)
+
+namespace
+{
+/**
+ * What a receiver's position can be wrong, relative to its magnitude: it was transformed and
+ * interpolated in 24-bit floats, over triangles that may reach far out of the picture.
+ */
+constexpr double PositionError = 1.0 / 65536.0;
+
+vtkShadowTechnique RayTraced()
+{
+  using Support = vtkShadowShapeSupport;
+  vtkShadowTechnique t;
+  t.Name = "ray-traced";
+  t.Title = "Ray-traced shadows";
+  t.Paper = "Cook, Porter and Carpenter, Distributed ray tracing, SIGGRAPH 1984; Wald et al., Embree, "
+            "SIGGRAPH 2014";
+  t.ClassName = "vtkRayTracedShadowPass";
+  t.New = [] { return static_cast<vtkShadowPass*>(vtkRayTracedShadowPass::New()); };
+  t.LightShapes.fill(Support::Exact);
+  t.Parameters = { { "samples", vtkShadowParameter::Type::Integer, "64", 1, 16384, {}, "rays",
+    "Rays from each pixel to each light", { "4", "16", "64", "1024" } } };
+  t.Resources = { "on the CPU: Embree's structures, about 100 bytes a triangle",
+    "on the GPU: receivers 16 bytes, depth 4 bytes, visibility 4 bytes a light (16 textured), each a "
+    "pixel" };
+  t.Limits = { "Noise of the order of 1 / samples^0.75 in penumbrae.",
+    "Translucent surfaces and further samples of a pixel take the visibility of the opaque surface "
+    "next to them." };
+  return t;
+}
+
+const vtkShadowTechniqueRegistration registration(RayTraced());
+
+/** The inverse of shadowPackNormal in vtkShadowLightsFS.glsl. */
+glm::dvec3 UnpackNormal(double packed)
+{
+  const double bits = packed - 1.0;
+  double x = std::fmod(bits, 4096.0) / 4095.0 * 2.0 - 1.0;
+  double y = std::floor(bits / 4096.0) / 4095.0 * 2.0 - 1.0;
+  const double z = 1.0 - std::abs(x) - std::abs(y);
+  if (z < 0.0)
+  {
+    const double fold = (1.0 - std::abs(y)) * (x >= 0.0 ? 1.0 : -1.0);
+    y = (1.0 - std::abs(x)) * (y >= 0.0 ? 1.0 : -1.0);
+    x = fold;
+  }
+  return glm::normalize(glm::dvec3(x, y, z));
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRayTracedShadowPass::vtkRayTracedShadowPass()
+{
+  this->SetTechnique("ray-traced");
+}
+
+//------------------------------------------------------------------------------
+vtkRayTracedShadowPass::~vtkRayTracedShadowPass()
+{
+  this->Detach();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRayTracedShadowPass::UpdateLightData(vtkShadowFrame& frame)
+{
+  if (!this->Tracer)
+  {
+    this->Tracer = std::make_unique<vtkShadowRayTracer>();
+    this->CasterVersion = 0;
+  }
+  if (!this->Tracer->GetError().empty())
+  {
+    this->WarnOnce(this->Tracer->GetError() + "; drawn without shadows.");
+    return false;
+  }
+  frame.Counts["meshesBuilt"] = 0;
+  if (this->CasterVersion != frame.Casters->GetVersion())
+  {
+    frame.Counts["meshesBuilt"] = this->Tracer->Update(*frame.Casters);
+    this->CasterVersion = frame.Casters->GetVersion();
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRayTracedShadowPass::FillVisibility(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer)
+{
+  const auto start = std::chrono::steady_clock::now();
+  const auto texels = buffer.ReadReceivers(frame.Window);
+  std::vector<vtkShadowRayTracer::Receiver> receivers;
+  receivers.reserve(texels.size());
+  const glm::dmat3 turn(frame.VCToWC);
+  for (std::size_t i = 0; i < texels.size(); ++i)
+  {
+    if (texels[i].w != 0.0f)
+    {
+      const glm::dvec3 positionVC(texels[i]);
+      const glm::dvec3 position(frame.VCToWC * glm::dvec4(positionVC, 1.0));
+      receivers.push_back({ position, turn * UnpackNormal(std::abs(texels[i].w)),
+        PositionError * (glm::length(positionVC) + glm::length(position)), static_cast<int>(i),
+        texels[i].w > 0.0f });
+    }
+  }
+  const int samples = this->GetInteger("samples");
+  const int components = buffer.WantsCost() ? 1 : buffer.GetComponents();
+  double rays = 0.0;
+  for (std::size_t i = 0; i < frame.Lights.size(); ++i)
+  {
+    std::vector<float> values(components * texels.size(), 1.0f);
+    if (buffer.WantsCost())
+    {
+      const double cost = frame.Lights[i].IsPoint() ? 1.0 : samples;
+      for (const auto& receiver : receivers)
+      {
+        values[receiver.Pixel] = static_cast<float>(cost);
+      }
+    }
+    else
+    {
+      rays += this->Tracer->Trace(frame.Lights[i], frame.Casters->GetOrigin(), receivers, samples,
+        components, values);
+    }
+    buffer.GetTarget().UploadLayer(frame.Window, static_cast<int>(i), values.data());
+  }
+  if (!buffer.WantsCost())
+  {
+    frame.Counts["rays"] = rays;
+    frame.Counts["traceMilliseconds"] =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkRayTracedShadowPass::GetMaximumCost()
+{
+  return this->GetInteger("samples");
+}
+
+//------------------------------------------------------------------------------
+void vtkRayTracedShadowPass::ReleaseLightData(vtkRenderWindow*)
+{
+  this->Tracer.reset();
+  this->CasterVersion = 0;
+}

@@ -1,0 +1,55 @@
+// Embree's side of the ray-traced technique: the casters as instances of their meshes, and rays to a
+// light's samples. No OpenGL here.
+
+#ifndef vtkShadowRayTracer_h
+#define vtkShadowRayTracer_h
+
+#include <glm/vec3.hpp>
+
+#include <memory>
+#include <vector>
+
+class vtkShadowCasters;
+struct vtkShadowLight;
+
+class vtkShadowRayTracer
+{
+public:
+  /** What a pixel sees, in WC; Offset is how far along the normal its rays start. */
+  struct Receiver
+  {
+    glm::dvec3 Position;
+    glm::dvec3 Normal;
+    double Offset;
+    int Pixel;
+    bool Casts;
+  };
+
+  vtkShadowRayTracer();
+  ~vtkShadowRayTracer();
+
+  /** Embree's own message if it could not start, else "". */
+  const std::string& GetError() const;
+
+  /**
+   * Bring the acceleration structures up to date: a structure a mesh, built when the mesh is new;
+   * one over their instances, built when something moved. Gives how many meshes were built.
+   */
+  int Update(const vtkShadowCasters& casters);
+
+  /**
+   * Visibility of each receiver, `components` (1 or 4) floats at its pixel, by `samples` stratified
+   * rays each, on all cores. Deterministic: patterns depend on pixels alone. Gives the rays traced.
+   */
+  double Trace(const vtkShadowLight& light, const glm::dvec3& origin,
+    const std::vector<Receiver>& receivers, int samples, int components,
+    std::vector<float>& visibility) const;
+
+  void Clear();
+
+private:
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

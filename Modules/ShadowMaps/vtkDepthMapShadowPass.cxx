@@ -1,0 +1,126 @@
+#include "vtkDepthMapShadowPass.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkShadowFrame.h"
+#include "vtkShadowMapViewFS.h"
+#include "vtkShadowMaps.h"
+#include "vtkShadowMapsFS.h"
+#include "vtk_glew.h"
+
+#include <algorithm>
+#include <cmath>
+
+//------------------------------------------------------------------------------
+vtkDepthMapShadowPass::vtkDepthMapShadowPass()
+  : Maps(new vtkShadowMaps)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkDepthMapShadowPass::~vtkDepthMapShadowPass()
+{
+  this->Detach();
+}
+
+//------------------------------------------------------------------------------
+bool vtkDepthMapShadowPass::UpdateMaps(vtkShadowFrame& frame, int samples, double megabytes)
+{
+  vtkShadowMaps::Settings settings;
+  settings.Samples = samples;
+  settings.Bilinear = this->GetText("filter") == "bilinear";
+  settings.MemoryLimit = static_cast<std::size_t>(megabytes * 1048576.0);
+  settings.Resolution = this->GetInteger("resolution");
+  int largest = settings.Resolution;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  if (settings.Resolution > largest)
+  {
+    this->WarnOnce("resolution " + std::to_string(settings.Resolution) +
+      " is more than this GPU allows; it is " + std::to_string(largest) + ".");
+    settings.Resolution = largest;
+  }
+  if (!this->Maps->Update(frame, settings))
+  {
+    vtkErrorMacro(<< this->GetTechnique() << ": no memory for a map of " << settings.Resolution
+                  << " x " << settings.Resolution << "; drawn without shadows.");
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkDepthMapShadowPass::GetVisibilityGLSL()
+{
+  return vtkShadowMapsFS;
+}
+
+//------------------------------------------------------------------------------
+void vtkDepthMapShadowPass::ActivateLightData(vtkShadowFrame& frame)
+{
+  this->Maps->Activate(frame);
+}
+
+//------------------------------------------------------------------------------
+void vtkDepthMapShadowPass::DeactivateLightData(vtkShadowFrame& frame)
+{
+  this->Maps->Deactivate(frame);
+}
+
+//------------------------------------------------------------------------------
+void vtkDepthMapShadowPass::SetVisibilityParameters(vtkShaderProgram* program)
+{
+  this->Maps->SetParameters(program);
+}
+
+//------------------------------------------------------------------------------
+double vtkDepthMapShadowPass::GetMaximumCost()
+{
+  return this->Maps->GetNumberOfViews();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkDepthMapShadowPass::GetDebugViews()
+{
+  return this->Superclass::GetDebugViews() + " map";
+}
+
+//------------------------------------------------------------------------------
+void vtkDepthMapShadowPass::DrawDebugView(vtkShadowFrame& frame, const std::string&)
+{
+  vtkShadowTexture& texture = this->Maps->GetTexture();
+  texture.SetSampling(frame.Window, vtkShadowTexture::Sampling::Nearest);
+  texture.Activate(frame.Window);
+  int viewport[4];
+  frame.Window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  const int columns =
+    static_cast<int>(std::ceil(std::sqrt(static_cast<double>(texture.GetLayers()))));
+  this->DrawQuad(vtkShadowMapViewFS, [&](vtkShaderProgram* program) {
+    program->SetUniformi("shadowMaps", texture.GetUnit());
+    program->SetUniform2i("shadowViewportOrigin", viewport);
+    program->SetUniform2i("shadowViewportSize", viewport + 2);
+    program->SetUniformi("shadowColumns", columns);
+  });
+  texture.SetSampling(frame.Window,
+    this->GetText("filter") == "bilinear" ? vtkShadowTexture::Sampling::CompareLinear
+                                          : vtkShadowTexture::Sampling::CompareNearest);
+}
+
+//------------------------------------------------------------------------------
+void vtkDepthMapShadowPass::ReleaseLightData(vtkRenderWindow* window)
+{
+  this->Maps->Release(vtkOpenGLRenderWindow::SafeDownCast(window));
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::pair<std::string, std::size_t>> vtkDepthMapShadowPass::GetLightDataBytes()
+{
+  return { { "maps", this->Maps->GetBytes() } };
+}
+
+//------------------------------------------------------------------------------
+void vtkDepthMapShadowPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Maps: " << this->Maps->GetNumberOfViews() << "\n";
+}

@@ -1,0 +1,276 @@
+#include "vtkShadowMaps.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkShadowCasters.h"
+#include "vtkShadowFrame.h"
+#include "vtk_glew.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+namespace
+{
+constexpr int MaximumLights = 16; // as SHADOW_MAX_LIGHTS
+
+/** A map's border that stays clear of casters, in texels: look-ups there find light. */
+constexpr double BorderTexels = 2.0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowMaps::Settings::operator==(const Settings& other) const
+{
+  return std::tie(this->Resolution, this->Samples, this->Bilinear, this->MemoryLimit) ==
+    std::tie(other.Resolution, other.Samples, other.Bilinear, other.MemoryLimit);
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkShadowMaps::View> vtkShadowMaps::MakeViews(
+  vtkShadowFrame& frame, int index, std::vector<int>& casters) const
+{
+  const vtkShadowLight& light = frame.Lights[index];
+  const vtkLightFrusta frusta(light, *frame.Casters, BorderTexels / this->Current.Resolution);
+  casters = frusta.GetCasters();
+  std::vector<View> views;
+  if (casters.empty())
+  {
+    return views;
+  }
+  // A sphere's samples lie on the disk that faces the casters' middle.
+  glm::dvec3 middle(0.0);
+  for (const int i : casters)
+  {
+    const auto& corners = frame.Casters->Get()[i].Corners;
+    middle += 0.5 * (corners[0] + corners[7]) / static_cast<double>(casters.size());
+  }
+  const int samples = light.IsPoint() ? 1 : this->Current.Samples;
+  // A single view of a light with a size looks from its centre.
+  std::vector<vtkLightSample> places = samples == 1
+    ? std::vector<vtkLightSample>{ { light.IsDirectional() ? -light.Direction : light.Position,
+        glm::dvec3(1.0) } }
+    : light.GetSamples(samples, middle + frame.Casters->GetOrigin());
+  for (const auto& place : places)
+  {
+    for (const auto& frustum : frusta.GetViews(place.Point))
+    {
+      views.push_back({ frustum, place.Weight, index });
+    }
+  }
+  return views;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowMaps::Update(vtkShadowFrame& frame, const Settings& settings)
+{
+  const bool all = !(settings == this->Current) || !this->Maps.GetHandle() ||
+    frame.Casters->GetVersion() != this->CasterVersion ||
+    this->Lights.size() != frame.Lights.size();
+  this->Current = settings;
+  this->CasterVersion = frame.Casters->GetVersion();
+
+  // Views of the lights that changed; the others keep theirs, and their layers if none shifts.
+  std::vector<View> views;
+  std::vector<LightState> lights;
+  std::vector<bool> changed;
+  for (std::size_t i = 0; i < frame.Lights.size(); ++i)
+  {
+    LightState state{ frame.Lights[i], static_cast<int>(views.size()), 0, {} };
+    const bool same = !all && this->Lights[i].Light.SameGeometry(state.Light);
+    if (same)
+    {
+      const auto first = this->Views.begin() + this->Lights[i].First;
+      views.insert(views.end(), first, first + this->Lights[i].Count);
+      state.Casters = this->Lights[i].Casters;
+    }
+    else
+    {
+      const auto made = this->MakeViews(frame, static_cast<int>(i), state.Casters);
+      views.insert(views.end(), made.begin(), made.end());
+    }
+    state.Count = static_cast<int>(views.size()) - state.First;
+    changed.push_back(!same || state.First != this->Lights[i].First);
+    lights.push_back(std::move(state));
+  }
+  this->Views = std::move(views);
+  this->Lights = std::move(lights);
+  frame.Counts["mapsDrawn"] = 0;
+  frame.Counts["mapsHeld"] = 0;
+  if (this->Views.empty())
+  {
+    // Nothing can be shadowed by these lights.
+    this->Batches = 1;
+    this->BatchFirst = this->BatchCount = 0;
+    this->Maps.Release(frame.Window);
+    this->Maps.Allocate(frame.Window, vtkShadowTexture::Format::Depth, 1, 1, 1);
+    this->UploadViews(frame);
+    return true;
+  }
+
+  int mostLayers = 256;
+  glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &mostLayers);
+  const std::size_t layerBytes =
+    std::size_t(4) * settings.Resolution * settings.Resolution;
+  const int total = this->GetNumberOfViews();
+  this->BatchSize = static_cast<int>(std::clamp<std::size_t>(
+    settings.MemoryLimit / layerBytes, 1, std::min(mostLayers, total)));
+  this->Batches = (total + this->BatchSize - 1) / this->BatchSize;
+  const unsigned int before = this->Maps.GetHandle();
+  if (!this->Maps.Allocate(frame.Window, vtkShadowTexture::Format::Depth, settings.Resolution,
+        settings.Resolution, this->BatchSize))
+  {
+    this->Release(frame.Window);
+    return false;
+  }
+  const bool fresh = before != this->Maps.GetHandle();
+  if (all || fresh)
+  {
+    this->Maps.SetSampling(frame.Window,
+      settings.Bilinear ? vtkShadowTexture::Sampling::CompareLinear
+                        : vtkShadowTexture::Sampling::CompareNearest);
+  }
+  if (all || fresh || std::find(changed.begin(), changed.end(), true) != changed.end())
+  {
+    this->UploadViews(frame);
+  }
+  this->BatchFirst = 0;
+  this->BatchCount = this->BatchSize;
+  if (this->AreResident())
+  {
+    for (std::size_t i = 0; i < this->Lights.size(); ++i)
+    {
+      if (fresh || changed[i])
+      {
+        this->Draw(frame, this->Lights[i].First, this->Lights[i].Count);
+      }
+    }
+  }
+  frame.Counts["mapsHeld"] = this->BatchSize;
+  frame.Counts["mapBatches"] = this->Batches;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowMaps::DrawBatch(vtkShadowFrame& frame, int batch)
+{
+  this->BatchFirst = batch * this->BatchSize;
+  this->BatchCount = std::min(this->BatchSize, this->GetNumberOfViews() - this->BatchFirst);
+  this->Draw(frame, this->BatchFirst, this->BatchCount);
+}
+
+//------------------------------------------------------------------------------
+double vtkShadowMaps::GetBatchShare(int light) const
+{
+  const LightState& state = this->Lights[light];
+  if (state.Count == 0)
+  {
+    return this->BatchFirst == 0 ? 1.0 : 0.0;
+  }
+  const int first = std::max(state.First, this->BatchFirst);
+  const int last = std::min(state.First + state.Count, this->BatchFirst + this->BatchCount);
+  return static_cast<double>(std::max(0, last - first)) / state.Count;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowMaps::Draw(vtkShadowFrame& frame, int first, int count)
+{
+  if (count == 0)
+  {
+    return;
+  }
+  vtkShadowTimers::Scope timer(*frame.Timers, "maps");
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable cullFace(state, GL_CULL_FACE);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglDepthFunc(GL_LESS);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  vtkShadowFramebuffer::Scope target(
+    frame.Window, this->Framebuffer, nullptr, &this->Maps, first - this->BatchFirst);
+  for (int i = first; i < first + count; ++i)
+  {
+    target.SetLayer(i - this->BatchFirst);
+    const float farthest = 1.0f;
+    glClearBufferfv(GL_DEPTH, 0, &farthest);
+    const View& view = this->Views[i];
+    frame.Casters->Draw(
+      frame.Window, view.Frustum.WCToClip, this->Lights[view.Light].Casters);
+  }
+  frame.Counts["mapsDrawn"] += count;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowMaps::UploadViews(vtkShadowFrame& frame)
+{
+  // Half a texel around a point for one compare; a whole one for the four nearest.
+  const double reach = (this->Current.Bilinear ? 1.0 : 0.5) / this->Current.Resolution;
+  const glm::dmat4 toUnit =
+    glm::scale(glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)), glm::dvec3(0.5));
+  std::vector<glm::vec4> texels;
+  texels.reserve(7 * this->Views.size());
+  for (const auto& view : this->Views)
+  {
+    const glm::dmat4 rows = glm::transpose(toUnit * view.Frustum.WCToClip);
+    for (int r = 0; r < 4; ++r)
+    {
+      texels.emplace_back(rows[r]);
+    }
+    texels.emplace_back(glm::dvec4(view.Frustum.WindowX * reach, 0.0));
+    texels.emplace_back(glm::dvec4(view.Frustum.WindowY * reach, 0.0));
+    texels.emplace_back(glm::dvec4(view.Weight, 0.0));
+  }
+  if (texels.empty())
+  {
+    texels.resize(7);
+  }
+  this->ViewBuffer.UploadBuffer(frame.Window, texels);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowMaps::Activate(vtkShadowFrame& frame)
+{
+  this->Maps.Activate(frame.Window);
+  this->ViewBuffer.Activate(frame.Window);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowMaps::Deactivate(vtkShadowFrame& frame)
+{
+  this->ViewBuffer.Deactivate(frame.Window);
+  this->Maps.Deactivate(frame.Window);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowMaps::SetParameters(vtkShaderProgram* program)
+{
+  std::array<int, MaximumLights> first{};
+  std::array<int, MaximumLights> count{};
+  for (std::size_t i = 0; i < this->Lights.size(); ++i)
+  {
+    const LightState& state = this->Lights[i];
+    first[i] = std::max(state.First, this->BatchFirst);
+    const int last = std::min(state.First + state.Count, this->BatchFirst + this->BatchCount);
+    count[i] = std::max(0, last - first[i]);
+  }
+  program->SetUniform1iv("shadowFirstView", MaximumLights, first.data());
+  program->SetUniform1iv("shadowViewCount", MaximumLights, count.data());
+  program->SetUniformi("shadowFirstLayer", this->BatchFirst);
+  program->SetUniformi("shadowMaps", this->Maps.GetUnit());
+  program->SetUniformi("shadowViews", this->ViewBuffer.GetUnit());
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowMaps::Release(vtkOpenGLRenderWindow* window)
+{
+  this->Maps.Release(window);
+  this->ViewBuffer.Release(window);
+  this->Framebuffer.Release(window);
+  this->Views.clear();
+  this->Lights.clear();
+}
