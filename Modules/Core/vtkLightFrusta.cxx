@@ -245,6 +245,7 @@ std::vector<vtkLightView> vtkLightFrusta::GetDirectionalViews(const glm::dvec3& 
   }
   rows[3] = glm::dvec4(0.0, 0.0, 0.0, 1.0);
   view.WCToClip = glm::transpose(rows);
+  view.Place = towardsLight;
   view.WindowX = frame.X * size.x;
   view.WindowY = frame.Y * size.y;
   return { view };
@@ -374,6 +375,7 @@ bool vtkLightFrusta::AddPerspectiveView(const glm::dvec3& position, const glm::d
   rows[3] = row(frame.Z, 0.0);
   vtkLightView view;
   view.WCToClip = glm::transpose(rows);
+  view.Place = position;
   view.WindowX = frame.X * size.x;
   view.WindowY = frame.Y * size.y;
   views.push_back(view);

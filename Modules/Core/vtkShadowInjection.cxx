@@ -85,7 +85,7 @@ void vtkShadowInjection::Fill(std::string& source, const std::string& declaratio
     return;
   }
   // Imposters move the position after its derivatives are taken; their own normal is exact.
-  const bool imposter = source.find("gl_FragDepth") != std::string::npos;
+  const bool imposter = source.find("gl_FragDepth =") != std::string::npos;
   std::string code = imposter
     ? "vec3 shadowNormalVC = normalVCVSOutput;\n"
     : "vec3 shadowNormalVC = shadowGeometricNormal("

@@ -17,10 +17,7 @@ vtkShadowTechniqueAutoInit(VTKSOFTSHADOWSRAYTRACING_EXPORT, vtkSoftShadowsRayTra
 
 namespace
 {
-/**
- * What a receiver's position can be wrong, relative to its magnitude: it was transformed and
- * interpolated in 24-bit floats, over triangles that may reach far out of the picture.
- */
+/** What a receiver's position can be wrong, relative to its magnitude: see shadowRounding. */
 constexpr double PositionError = 1.0 / 65536.0;
 
 vtkShadowTechnique RayTraced()

@@ -59,7 +59,7 @@ vtkShadowTechnique Accumulated()
     { "samples", Type::Integer, "64", 1, 1024, {}, "", "Samples of the light, a map each",
       { "16", "32", "64", "1024" } },
     Resolution("512", { "256", "512", "512", "1024" }),
-    Filter("bilinear"),
+    Filter("nearest"),
     { "memory", Type::Integer, "512", 1, 65536, {}, "MiB",
       "Most that the maps may hold; more maps than fit are drawn in batches in every frame", {} },
   };

@@ -221,9 +221,9 @@ void vtkShadowMaps::UploadViews(vtkShadowFrame& frame)
     {
       texels.emplace_back(rows[r]);
     }
-    texels.emplace_back(glm::dvec4(view.Frustum.WindowX * reach, 0.0));
-    texels.emplace_back(glm::dvec4(view.Frustum.WindowY * reach, 0.0));
-    texels.emplace_back(glm::dvec4(view.Weight, 0.0));
+    texels.emplace_back(glm::dvec4(view.Frustum.WindowX * reach, view.Frustum.Place.x));
+    texels.emplace_back(glm::dvec4(view.Frustum.WindowY * reach, view.Frustum.Place.y));
+    texels.emplace_back(glm::dvec4(view.Weight, view.Frustum.Place.z));
   }
   if (texels.empty())
   {

@@ -23,7 +23,9 @@ void main()
   {
     vec3 positionWC = (shadowVCToWC * vec4(receiverVC.xyz, 1.0)).xyz;
     vec3 normalWC = mat3(shadowVCToWC) * shadowUnpackNormal(abs(receiverVC.w));
-    if (receiverVC.w > 0.0 && shadowFacesAway(shadowLight, positionWC, normalWC))
+    shadowSelf = receiverVC.w > 0.0;
+    shadowSetRounding(receiverVC.xyz, positionWC);
+    if (shadowFacesAway(shadowLight, positionWC, normalWC))
     {
       visibility = SHADOW_VISIBILITY(1.0 - shadowShare);
     }

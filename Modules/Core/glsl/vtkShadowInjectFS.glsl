@@ -59,7 +59,9 @@ SHADOW_VISIBILITY shadowFactor(int slot, vec3 positionVC, vec3 normalVC, float f
 #ifdef SHADOW_FORWARD
   vec3 positionWC = (shadowVCToWC * vec4(positionVC, 1.0)).xyz;
   vec3 normalWC = mat3(shadowVCToWC) * normalVC;
-  if (shadowCasts && shadowFacesAway(light, positionWC, normalWC))
+  shadowSelf = shadowCasts;
+  shadowSetRounding(positionVC, positionWC);
+  if (shadowFacesAway(light, positionWC, normalWC))
   {
     visibility = SHADOW_VISIBILITY(0.0);
   }

@@ -7,12 +7,28 @@ uniform vec4 shadowLightPlaceWC[SHADOW_MAX_LIGHTS]; // position, w 1; or directi
 uniform vec4 shadowLightUWC[SHADOW_MAX_LIGHTS];     // half axis; w: radius of a sphere, else 0
 uniform vec4 shadowLightVWC[SHADOW_MAX_LIGHTS];     // half axis; w: 1 for a rectangle, else 0
 
+// The receiver's prop casts too: then its own surface hides what lies behind it.
+bool shadowSelf = true;
+
+// How far the receiver's position may be off: it was transformed and interpolated in 24-bit floats,
+// over triangles that may reach far out of the picture.
+float shadowRounding = 0.0;
+
+void shadowSetRounding(vec3 positionVC, vec3 positionWC)
+{
+  shadowRounding = (length(positionVC) + length(positionWC)) / 65536.0;
+}
+
 // What has been spent on this pixel: map reads, or rays.
 float shadowCost = 0.0;
 
-// The whole light lies behind the receiver's own surface, which then hides it.
+// The whole light lies behind the receiver's own surface.
 bool shadowFacesAway(int light, vec3 positionWC, vec3 normalWC)
 {
+  if (!shadowSelf)
+  {
+    return false;
+  }
   vec4 placeWC = shadowLightPlaceWC[light];
   vec2 extent = abs(vec2(dot(normalWC, shadowLightUWC[light].xyz),
     dot(normalWC, shadowLightVWC[light].xyz)));

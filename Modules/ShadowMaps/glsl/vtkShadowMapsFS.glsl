@@ -10,7 +10,7 @@ uniform int shadowFirstView[SHADOW_MAX_LIGHTS];
 uniform int shadowViewCount[SHADOW_MAX_LIGHTS];
 uniform int shadowFirstLayer; // the view that layer 0 holds
 
-// Rounding of a 32-bit depth: interpolation in the rasterizer, and the matrices.
+// Rounding of a 32-bit depth in the rasterizer.
 const float shadowDepthRounding = 1.0 / 1048576.0;
 
 SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionWC, vec3 normalWC)
@@ -25,14 +25,20 @@ SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionWC, vec3 normalWC)
     vec4 rowZ = texelFetch(shadowViews, texel + 2);
     vec4 rowW = texelFetch(shadowViews, texel + 3);
 
+    vec4 texelX = texelFetch(shadowViews, texel + 4);
+    vec4 texelY = texelFetch(shadowViews, texel + 5);
+    vec4 weight = texelFetch(shadowViews, texel + 6);
+    // Where the view looks from; for a directional light, the direction towards it.
+    vec3 placeWC = vec3(texelX.w, texelY.w, weight.w);
+    vec3 towardsWC = rowW.xyz == vec3(0.0) ? placeWC : placeWC - positionWC;
+
     // Bias without a knob: a plane that is moved along its normal by what it can rise within the
     // texels of one look-up is in front of its own samples in the map, and not a hair more. A
     // plane's depth over the map's texels grows by |n.x|, |n.y| times their extent at that
     // distance, measured along its normal: so there is no slope to divide by.
     float w = dot(rowW, vec4(positionWC, 1.0));
-    vec2 rise = abs(vec2(dot(normalWC, texelFetch(shadowViews, texel + 4).xyz),
-      dot(normalWC, texelFetch(shadowViews, texel + 5).xyz)));
-    vec4 receiverWC = vec4(positionWC + (rise.x + rise.y) * w * normalWC, 1.0);
+    float rise = abs(dot(normalWC, texelX.xyz)) + abs(dot(normalWC, texelY.xyz));
+    vec4 receiverWC = vec4(positionWC + (rise * w + shadowRounding) * normalWC, 1.0);
 
     w = dot(rowW, receiverWC);
     vec3 receiverLC =
@@ -43,7 +49,9 @@ SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionWC, vec3 normalWC)
     {
       float depth = min(receiverLC.z, 1.0) - shadowDepthRounding;
       float lit = texture(shadowMaps, vec4(receiverLC.xy, float(view - shadowFirstLayer), depth));
-      occluded += SHADOW_VISIBILITY(texelFetch(shadowViews, texel + 6)) * (1.0 - lit);
+      // Below the receiver's horizon lies its own surface, which the map cannot tell from it.
+      lit = shadowSelf && dot(normalWC, towardsWC) <= 0.0 ? 0.0 : lit;
+      occluded += SHADOW_VISIBILITY(weight) * (1.0 - lit);
       shadowCost += 1.0;
     }
   }

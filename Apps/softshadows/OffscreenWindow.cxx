@@ -1,0 +1,126 @@
+#include "OffscreenWindow.h"
+
+#include "Errors.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkTextureObject.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <chrono>
+#include <cstdlib>
+#include <string>
+
+#if __has_include(<dlfcn.h>)
+#include <dlfcn.h>
+#endif
+
+namespace
+{
+const char* const HowToGetADisplay =
+  " Start an X server such as Xvfb (\"xvfb-run -a softshadows ...\") or set DISPLAY.";
+
+/**
+ * VTK's X window ends the program where it cannot open the display, so that is tried here before. By
+ * the library that VTK has loaded: only it knows all forms of DISPLAY and who may connect.
+ */
+void CheckDisplay(vtkRenderWindow* window)
+{
+  if (!window->IsA("vtkXOpenGLRenderWindow"))
+  {
+    return; // EGL, OSMesa and other systems' windows report by themselves
+  }
+  const char* name = std::getenv("DISPLAY");
+  if (!name || !*name)
+  {
+    throw Failure(std::string("there is no display: DISPLAY is not set.") + HowToGetADisplay);
+  }
+#if __has_include(<dlfcn.h>)
+  void* library = dlopen("libX11.so.6", RTLD_LAZY | RTLD_LOCAL);
+  if (!library)
+  {
+    return;
+  }
+  const auto open = reinterpret_cast<void* (*)(const char*)>(dlsym(library, "XOpenDisplay"));
+  const auto close = reinterpret_cast<int (*)(void*)>(dlsym(library, "XCloseDisplay"));
+  const auto query = reinterpret_cast<int (*)(void*, const char*, int*, int*, int*)>(
+    dlsym(library, "XQueryExtension"));
+  if (open && close && query)
+  {
+    void* display = open(name);
+    int codes[3];
+    const bool hasGL = display && query(display, "GLX", &codes[0], &codes[1], &codes[2]);
+    if (display)
+    {
+      close(display);
+    }
+    if (!hasGL)
+    {
+      const std::string which = "display \"" + std::string(name) + "\" ";
+      throw Failure(
+        (display ? which + "has no OpenGL (no GLX)." : which + "cannot be opened.") + HowToGetADisplay);
+    }
+  }
+  dlclose(library);
+#endif
+}
+}
+
+//------------------------------------------------------------------------------
+OffscreenWindow::OffscreenWindow(const int size[2], int samplesPerPixel)
+  : Window(vtkSmartPointer<vtkRenderWindow>::New())
+{
+  CheckDisplay(this->Window);
+  this->Window->SetOffScreenRendering(1);
+  this->Window->SetMultiSamples(samplesPerPixel);
+  this->Window->SetSize(size[0], size[1]);
+  this->Window->AddRenderer(this->Renderer);
+}
+
+//------------------------------------------------------------------------------
+void OffscreenWindow::CheckSize(const int size[2])
+{
+  // Before the first frame, since VTK draws into nothing where the GPU cannot hold the picture.
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Window);
+  if (!window)
+  {
+    throw Failure("this VTK draws without OpenGL; the shadow passes need it.");
+  }
+  window->Initialize();
+  Messages::Check("no OpenGL");
+  const int largest = vtkTextureObject::GetMaximumTextureSize(window);
+  if (largest > 0 && (size[0] > largest || size[1] > largest))
+  {
+    throw Failure("--size " + std::to_string(size[0]) + "x" + std::to_string(size[1]) +
+      ": this OpenGL draws up to " + std::to_string(largest) + " pixels a side.");
+  }
+}
+
+//------------------------------------------------------------------------------
+double OffscreenWindow::Render()
+{
+  if (!this->Opened)
+  {
+    this->CheckSize(this->Window->GetSize());
+    this->Opened = true;
+  }
+  const auto start = std::chrono::steady_clock::now();
+  this->Window->Render();
+  this->Window->WaitForCompletion();
+  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+  Messages::Check();
+  return taken.count();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> OffscreenWindow::Grab()
+{
+  vtkNew<vtkWindowToImageFilter> grabber;
+  grabber->SetInput(this->Window);
+  grabber->SetInputBufferTypeToRGB();
+  grabber->ReadFrontBufferOff();
+  grabber->ShouldRerenderOff();
+  grabber->Update();
+  Messages::Check("the picture cannot be read back");
+  vtkSmartPointer<vtkImageData> picture = grabber->GetOutput();
+  return picture;
+}

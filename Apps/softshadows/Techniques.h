@@ -1,0 +1,62 @@
+// Techniques as the command line names them: a name, a quality, and parameters.
+
+#ifndef Techniques_h
+#define Techniques_h
+
+#include "vtkShadowPass.h"
+#include "vtkSmartPointer.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace CLI
+{
+class App;
+}
+
+/** One --set: NAME=VALUE, or TECHNIQUE:NAME=VALUE. */
+struct TechniqueSetting
+{
+  std::string Technique; // empty: whichever has the parameter
+  std::string Name;
+  std::string Value;
+};
+
+/** What is said about techniques, the same for one and for many. */
+struct TechniqueOptions
+{
+  std::string Quality;
+  std::vector<TechniqueSetting> Settings;
+
+  /** The options --quality and --set. */
+  void Declare(CLI::App& command);
+
+  /**
+   * A technique with its parameters set. Failure for an unknown technique, or a value that it cannot
+   * take. Without a technique before its name, a parameter must be one of this technique's where
+   * strict; else it is passed over where the technique lacks it.
+   */
+  vtkSmartPointer<vtkShadowPass> Create(const std::string& technique, bool strict) const;
+
+  /** Failure for a setting that none of these techniques would use. */
+  void CheckSettings(const std::vector<std::string>& techniques) const;
+};
+
+namespace Techniques
+{
+/** All names, sorted. */
+std::vector<std::string> GetNames();
+
+/** What vtkShadowTechniques::Describe says; Failure for an unknown one. */
+nlohmann::ordered_json Describe(const std::string& technique);
+
+/** Whether a technique, as described, has a parameter. */
+bool HasParameter(const nlohmann::ordered_json& description, const std::string& parameter);
+
+/** All parameters of a pass and their values. */
+nlohmann::ordered_json GetParameters(vtkShadowPass* pass);
+}
+
+#endif

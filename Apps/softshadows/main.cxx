@@ -1,0 +1,71 @@
+// The command softshadows: exit code 0 when done, 1 for a failure it names, 2 for wrong usage.
+
+#include "Compare.h"
+#include "Errors.h"
+#include "List.h"
+#include "Render.h"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include <cstdio>
+#include <exception>
+#include <new>
+
+namespace
+{
+int Fail(const std::string& text, int code)
+{
+  Messages::PrintError(text);
+  return code;
+}
+}
+
+int main(int argc, char* argv[])
+{
+  Messages::Install();
+  CLI::App app("Soft shadows for VTK: draw models and scenes, and measure the techniques.");
+  app.set_version_flag("--version", "softshadows " SOFTSHADOWS_VERSION);
+  app.require_subcommand(1);
+  app.get_formatter()->column_width(34);
+  DeclareList(app);
+  DeclareRender(app);
+  DeclareCompare(app);
+
+  try
+  {
+    app.parse(argc, argv); // runs the subcommand
+    Messages::Check();
+    Messages::ShowWarnings();
+  }
+  catch (const CLI::Success& success) // --help, --version
+  {
+    return app.exit(success);
+  }
+  catch (const CLI::ParseError& wrong)
+  {
+    const auto used = app.get_subcommands();
+    Fail(wrong.what(), 2);
+    std::fprintf(stderr, "See: softshadows %s%s--help\n",
+      used.empty() ? "" : used.front()->get_name().c_str(), used.empty() ? "" : " ");
+    return 2;
+  }
+  catch (const WrongUsage& wrong)
+  {
+    return Fail(wrong.what(), 2);
+  }
+  catch (const Failure& failure)
+  {
+    return Fail(failure.what(), 1);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return Fail("out of memory.", 1);
+  }
+  catch (const std::exception& exception)
+  {
+    return Fail(exception.what(), 1);
+  }
+  return 0;
+}
