@@ -1,4 +1,4 @@
-# Everything from outside, found once. Debian package names stand in bootstrap-packages.txt.
+# Everything from outside, found once. Debian package names stand in packages.txt.
 
 if (SOFTSHADOWS_WRAP_PYTHON)
   # The distribution's own interpreter: another one may come first in the path and lacks VTK.

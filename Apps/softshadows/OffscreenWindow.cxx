@@ -77,9 +77,12 @@ OffscreenWindow::OffscreenWindow(const int size[2], int samplesPerPixel)
 }
 
 //------------------------------------------------------------------------------
-void OffscreenWindow::CheckSize(const int size[2])
+vtkRenderWindow* OffscreenWindow::GetOpenWindow()
 {
-  // Before the first frame, since VTK draws into nothing where the GPU cannot hold the picture.
+  if (this->Opened)
+  {
+    return this->Window;
+  }
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Window);
   if (!window)
   {
@@ -87,25 +90,25 @@ void OffscreenWindow::CheckSize(const int size[2])
   }
   window->Initialize();
   Messages::Check("no OpenGL");
+  // VTK draws into nothing where the GPU cannot hold the picture.
+  const int* size = window->GetSize();
   const int largest = vtkTextureObject::GetMaximumTextureSize(window);
   if (largest > 0 && (size[0] > largest || size[1] > largest))
   {
     throw Failure("--size " + std::to_string(size[0]) + "x" + std::to_string(size[1]) +
       ": this OpenGL draws up to " + std::to_string(largest) + " pixels a side.");
   }
+  this->Opened = true;
+  return window;
 }
 
 //------------------------------------------------------------------------------
 double OffscreenWindow::Render()
 {
-  if (!this->Opened)
-  {
-    this->CheckSize(this->Window->GetSize());
-    this->Opened = true;
-  }
+  vtkRenderWindow* window = this->GetOpenWindow();
   const auto start = std::chrono::steady_clock::now();
-  this->Window->Render();
-  this->Window->WaitForCompletion();
+  window->Render();
+  window->WaitForCompletion();
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
   Messages::Check();
   return taken.count();

@@ -15,8 +15,10 @@ public:
   /** Failure where there is no display to draw with. */
   OffscreenWindow(const int size[2], int samplesPerPixel);
 
-  vtkRenderWindow* GetWindow() { return this->Window; }
   vtkRenderer* GetRenderer() { return this->Renderer; }
+
+  /** The window, with OpenGL ready. Failure where there is none, or it cannot draw that size. */
+  vtkRenderWindow* GetOpenWindow();
 
   /**
    * Draw a frame and wait for it to be complete: the milliseconds that took. Failure if VTK reports
@@ -28,8 +30,6 @@ public:
   vtkSmartPointer<vtkImageData> Grab();
 
 private:
-  void CheckSize(const int size[2]);
-
   vtkSmartPointer<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
   bool Opened = false;

@@ -1,0 +1,115 @@
+// softshadows compare PICTURE REFERENCE.
+
+#include "Compare.h"
+
+#include "Errors.h"
+#include "Outputs.h"
+
+#include "vtkImageData.h"
+#include "vtkImageFile.h"
+#include "vtkNew.h"
+#include "vtkPictureMetrics.h"
+#include "vtkVisibilityMetrics.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+
+namespace
+{
+namespace fs = std::filesystem;
+
+void Read(const std::string& path, vtkImageData* image)
+{
+  if (!vtkImageFile::Read(path, image))
+  {
+    Messages::Check();
+  }
+}
+
+bool IsVisibility(const std::string& path, vtkImageData* image)
+{
+  return fs::path(path).extension() == ".exr" && image->GetNumberOfScalarComponents() == 1 &&
+    image->GetScalarType() == VTK_FLOAT;
+}
+}
+
+//------------------------------------------------------------------------------
+bool IsPicture(const std::string& path)
+{
+  static const char* const known[] = { ".png", ".exr", ".tif", ".tiff", ".bmp" };
+  std::string extension = fs::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return std::find(std::begin(known), std::end(known), extension) != std::end(known);
+}
+
+//------------------------------------------------------------------------------
+void ComparePictures(const CompareOptions& options)
+{
+  const std::string& path = options.Scene.Models[0];
+  const std::string& referencePath = options.Scene.Models[1];
+  Outputs outputs;
+  if (!options.Output.empty())
+  {
+    std::error_code ignored;
+    if (fs::equivalent(options.Output, path, ignored) ||
+      fs::equivalent(options.Output, referencePath, ignored))
+    {
+      throw WrongUsage("\"" + options.Output + "\" is one of the pictures that are compared.");
+    }
+    outputs.PlanPicture(options.Output, 3);
+  }
+  vtkNew<vtkImageData> image;
+  vtkNew<vtkImageData> reference;
+  Read(path, image);
+  Read(referencePath, reference);
+
+  vtkNew<vtkPictureMetrics> picture;
+  picture->SetImage(image);
+  picture->SetReference(reference);
+  picture->Update();
+  Messages::Check("cannot compare \"" + path + "\" with \"" + referencePath + "\"");
+  const bool isVisibility = IsVisibility(path, image) && IsVisibility(referencePath, reference);
+  vtkNew<vtkVisibilityMetrics> visibility;
+  if (isVisibility)
+  {
+    visibility->SetImage(image);
+    visibility->SetReference(reference);
+    visibility->Update();
+    Messages::Check("cannot compare \"" + path + "\" with \"" + referencePath + "\"");
+  }
+  if (!options.Output.empty())
+  {
+    outputs.StagePicture(options.Output,
+      isVisibility ? visibility->GetDifferenceImage() : picture->GetDifferenceImage());
+    outputs.Commit();
+  }
+
+  Messages::ShowWarnings();
+  if (options.AsJson)
+  {
+    nlohmann::ordered_json json = { { "image", path }, { "reference", referencePath },
+      { "picture", nlohmann::ordered_json::parse(picture->GetJSON()) } };
+    if (isVisibility)
+    {
+      json["visibility"] = nlohmann::ordered_json::parse(visibility->GetJSON());
+    }
+    std::cout << json.dump(2) << std::endl;
+    return;
+  }
+  std::printf("correct %.3f %%, RMSE %.6f, ", picture->GetCorrectness(), picture->GetRMSE());
+  std::printf(std::isinf(picture->GetPSNR()) ? "PSNR infinite, " : "PSNR %.2f dB, ",
+    picture->GetPSNR());
+  std::printf("max %.6f over %lld pixels\n", picture->GetMaximum(),
+    static_cast<long long>(picture->GetNumberOfPixels()));
+  if (isVisibility)
+  {
+    std::printf("as visibility: RMSE %.6f, penumbra RMSE %.6f, bias %+.6f, P99 %.6f, max %.6f\n",
+      visibility->GetRMSE(), visibility->GetPenumbraRMSE(), visibility->GetBias(),
+      visibility->GetP99(), visibility->GetMaximum());
+  }
+}

@@ -1,0 +1,337 @@
+// softshadows compare (MODEL... | --scene NAME).
+
+#include "Compare.h"
+
+#include "Errors.h"
+#include "OffscreenWindow.h"
+#include "Outputs.h"
+#include "Progress.h"
+#include "Statistics.h"
+#include "Values.h"
+
+#include "vtkAreaLight.h"
+#include "vtkFloatArray.h"
+#include "vtkPictureMetrics.h"
+#include "vtkPointData.h"
+#include "vtkVisibilityMetrics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <set>
+
+namespace
+{
+using Json = nlohmann::ordered_json;
+using Image = vtkSmartPointer<vtkImageData>;
+
+const char* const ReferenceTechnique = "ray-traced";
+
+/** A line of the table: a technique, or no shadows at all. */
+struct Row
+{
+  std::string Name;
+  vtkSmartPointer<vtkShadowPass> Pass; // none: no shadows
+  std::string Note;                    // why it was not measured
+  vtkNew<vtkVisibilityMetrics> Visibility;
+  vtkNew<vtkPictureMetrics> Picture;
+  Image Frame;
+  std::vector<double> Times;
+  double Bytes = 0.0;
+};
+using Rows = std::vector<std::unique_ptr<Row>>;
+
+struct Reference
+{
+  Image Frame;
+  Image Visibility;
+  double Milliseconds = 0.0;
+};
+
+//------------------------------------------------------------------------------
+std::vector<std::string> GetTechniques(const CompareOptions& options)
+{
+  std::vector<std::string> names;
+  if (options.Techniques.empty())
+  {
+    names = Techniques::GetNames();
+    std::stable_partition(names.begin(), names.end(),
+      [](const std::string& name) { return Techniques::Describe(name).value("hard", false); });
+    return names;
+  }
+  for (const std::string& name : Values::Split(options.Techniques))
+  {
+    Techniques::Describe(name); // a failure where there is none
+    if (std::find(names.begin(), names.end(), name) == names.end())
+    {
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+// A first row without shadows, then the techniques.
+Rows MakeRows(const CompareOptions& options)
+{
+  const auto names = GetTechniques(options);
+  options.Parameters.CheckSettings(names);
+  Rows rows;
+  rows.push_back(std::make_unique<Row>());
+  rows.back()->Name = "none";
+  for (const std::string& name : names)
+  {
+    rows.push_back(std::make_unique<Row>());
+    rows.back()->Name = name;
+    rows.back()->Pass = options.Parameters.Create(name, false);
+  }
+  return rows;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkShadowPass> MakeReference(int samples)
+{
+  const auto known = Techniques::GetNames();
+  if (std::find(known.begin(), known.end(), ReferenceTechnique) == known.end())
+  {
+    throw Failure("this build has no reference to compare with: the technique ray-traced is missing "
+                  "(SOFTSHADOWS_RAY_TRACING).");
+  }
+  auto pass = TechniqueOptions().Create(ReferenceTechnique, true);
+  pass->SetParameter("samples", std::to_string(samples));
+  Messages::Check("--reference-samples");
+  return pass;
+}
+
+//------------------------------------------------------------------------------
+Image Copy(vtkImageData* image)
+{
+  Messages::Check();
+  auto copy = Image::New();
+  copy->DeepCopy(image);
+  return copy;
+}
+
+//------------------------------------------------------------------------------
+Reference DrawReference(OffscreenWindow& window, vtkShadowPass* pass, vtkAreaLight* light)
+{
+  Reference reference;
+  const std::string samples = pass->GetParameter("samples");
+  window.GetRenderer()->SetPass(pass);
+  double expected = 0.0;
+  if (Progress::IsShown())
+  {
+    constexpr int few = 16;
+    pass->SetParameter("samples", std::to_string(few));
+    window.Render(); // sets all up
+    expected = window.Render() / few * std::stod(samples);
+    pass->SetParameter("samples", samples);
+  }
+  {
+    const ExpectedProgress progress("reference, " + samples + " rays a pixel", expected);
+    reference.Milliseconds = window.Render();
+  }
+  reference.Visibility = Copy(pass->GetVisibility(light));
+  reference.Frame = window.Grab();
+  return reference;
+}
+
+//------------------------------------------------------------------------------
+// Visibility where nothing casts a shadow.
+Image MakeUnshadowed(vtkImageData* like)
+{
+  Image all = Copy(like);
+  auto* values = vtkFloatArray::SafeDownCast(all->GetPointData()->GetArray("Visibility"));
+  values->FillValue(1.0f);
+  return all;
+}
+
+//------------------------------------------------------------------------------
+void FindUnsupported(Row& row, OffscreenWindow& window, const std::string& shape)
+{
+  if (!row.Pass)
+  {
+    return;
+  }
+  if (Techniques::Describe(row.Name)["lightShapes"].value(shape, "") == "unsupported")
+  {
+    row.Note = "does not support a " + shape + " light";
+  }
+  else if (!row.Pass->IsSupported(window.GetOpenWindow()))
+  {
+    row.Note = row.Pass->GetUnsupportedReason();
+  }
+}
+
+//------------------------------------------------------------------------------
+void Measure(Row& row, OffscreenWindow& window, vtkAreaLight* light, const Reference& reference)
+{
+  window.GetRenderer()->SetPass(row.Pass);
+  window.Render();
+  const Image visibility =
+    row.Pass ? Copy(row.Pass->GetVisibility(light)) : MakeUnshadowed(reference.Visibility);
+  row.Frame = window.Grab();
+  row.Visibility->SetImage(visibility);
+  row.Visibility->SetReference(reference.Visibility);
+  row.Visibility->Update();
+  Messages::Check(row.Name);
+  row.Picture->SetImage(row.Frame);
+  row.Picture->SetReference(reference.Frame);
+  row.Picture->Update();
+  Messages::Check(row.Name);
+  if (row.Pass)
+  {
+    row.Bytes = Json::parse(row.Pass->GetStatistics())["bytes"]["total"];
+  }
+}
+
+//------------------------------------------------------------------------------
+// Turn about, so that what else the machine does falls on all alike. A pass that is put back builds
+// its light data anew: that frame is not timed, the next one is.
+void Time(Rows& rows, OffscreenWindow& window, int frames)
+{
+  const auto measured = static_cast<unsigned long>(
+    std::count_if(rows.begin(), rows.end(), [](const auto& row) { return row->Note.empty(); }));
+  Progress progress("times, " + std::to_string(frames) + " frames", measured * frames);
+  for (int frame = 0; frame < frames; ++frame)
+  {
+    for (auto& row : rows)
+    {
+      if (row->Note.empty())
+      {
+        window.GetRenderer()->SetPass(row->Pass);
+        window.Render();
+        row->Times.push_back(window.Render());
+        progress.Advance();
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// After everything else: the difference images belong to the metrics.
+void Stage(const CompareOptions& options, const Rows& rows, const Reference& reference, Outputs& outputs)
+{
+  const std::string folder = options.Output + "/";
+  outputs.StagePicture(folder + "reference.png", reference.Frame);
+  for (const auto& row : rows)
+  {
+    if (row->Note.empty())
+    {
+      outputs.StagePicture(folder + row->Name + ".png", row->Frame);
+      outputs.StagePicture(
+        folder + row->Name + "-difference.png", row->Visibility->GetDifferenceImage());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+Json GetJSON(const CompareOptions& options, const Rows& rows, const Reference& reference,
+  const Scene& scene)
+{
+  const double plain = Statistics::GetMedian(rows.front()->Times);
+  Json json = { { "scene", scene.GetJSON() }, { "size", options.Scene.Size },
+    { "frames", options.Frames },
+    { "reference",
+      { { "technique", ReferenceTechnique }, { "samples", options.ReferenceSamples },
+        { "milliseconds", reference.Milliseconds } } },
+    { "unshadowed_milliseconds", plain }, { "techniques", Json::array() } };
+  for (const auto& row : rows)
+  {
+    Json one = { { "technique", row->Name } };
+    if (row->Pass)
+    {
+      one["parameters"] = Techniques::GetParameters(row->Pass);
+    }
+    if (row->Note.empty())
+    {
+      const double time = Statistics::GetMedian(row->Times);
+      one["visibility"] = Json::parse(row->Visibility->GetJSON());
+      one["picture"] = Json::parse(row->Picture->GetJSON());
+      one["milliseconds"] = time;
+      one["added_milliseconds"] = time - plain;
+      one["ratio"] = time / plain;
+      one["bytes"] = row->Bytes;
+    }
+    else
+    {
+      one["skipped"] = row->Note;
+    }
+    json["techniques"].push_back(one);
+  }
+  return json;
+}
+
+//------------------------------------------------------------------------------
+void PrintTable(const CompareOptions& options, const Rows& rows, const Reference& reference,
+  const Scene& scene)
+{
+  const double plain = Statistics::GetMedian(rows.front()->Times);
+  std::printf("%s: %lld triangles, %s light, %dx%d; reference: %d rays a pixel, %.0f ms; "
+              "unshadowed frame %.1f ms\n",
+    scene.Name.c_str(), static_cast<long long>(scene.Triangles), GetShapeName(scene.Light).c_str(),
+    options.Scene.Size[0], options.Scene.Size[1], options.ReferenceSamples, reference.Milliseconds,
+    plain);
+  std::printf("%-20s %8s %8s %8s %8s %8s %9s %8s %10s %9s\n", "technique", "RMSE", "penumbra", "bias",
+    "P99", "max", "correct%", "PSNR", "added ms", "MiB");
+  for (const auto& row : rows)
+  {
+    if (!row->Note.empty())
+    {
+      std::printf("%-20s not measured: %s\n", row->Name.c_str(), row->Note.c_str());
+      continue;
+    }
+    const auto& errors = row->Visibility;
+    std::printf("%-20s %8.4f %8.4f %+8.4f %8.4f %8.4f %9.2f %8.2f %10.1f %9.2f\n", row->Name.c_str(),
+      errors->GetRMSE(), errors->GetPenumbraRMSE(), errors->GetBias(), errors->GetP99(),
+      errors->GetMaximum(), row->Picture->GetCorrectness(), row->Picture->GetPSNR(),
+      Statistics::GetMedian(row->Times) - plain, row->Bytes / (1024.0 * 1024.0));
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void CompareTechniques(const CompareOptions& options)
+{
+  options.Scene.Check();
+  if (options.Frames < 1 || options.Frames > 10000)
+  {
+    throw Failure("--frames is from 1 to 10000, not " + std::to_string(options.Frames) + ".");
+  }
+  Rows rows = MakeRows(options);
+  const auto referencePass = MakeReference(options.ReferenceSamples);
+  Outputs outputs;
+  if (!options.Output.empty())
+  {
+    outputs.PlanFolder(options.Output);
+  }
+
+  OffscreenWindow window(options.Scene.Size.data(), options.Scene.SamplesPerPixel);
+  const Scene scene = options.Scene.Build(window.GetRenderer());
+  Messages::ShowWarnings();
+  const Reference reference = DrawReference(window, referencePass, scene.Light);
+  for (auto& row : rows)
+  {
+    FindUnsupported(*row, window, GetShapeName(scene.Light));
+    if (row->Note.empty())
+    {
+      Measure(*row, window, scene.Light, reference);
+    }
+  }
+  Time(rows, window, options.Frames);
+  window.GetRenderer()->SetPass(nullptr);
+  if (!options.Output.empty())
+  {
+    Stage(options, rows, reference, outputs);
+    outputs.Commit();
+  }
+
+  Messages::ShowWarnings();
+  if (options.AsJson)
+  {
+    std::cout << GetJSON(options, rows, reference, scene).dump(2) << std::endl;
+    return;
+  }
+  PrintTable(options, rows, reference, scene);
+}

@@ -1,0 +1,170 @@
+// The options of the light: their part of SceneOptions.
+
+#include "Errors.h"
+#include "SceneOptions.h"
+#include "Values.h"
+
+#include "vtkAreaLight.h"
+#include "vtkMath.h"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+const char* const Shapes[] = { "point", "sphere", "disk", "rectangle", "directional" };
+
+void CheckLength(const char* name, const std::optional<double>& value)
+{
+  if (value && !(*value >= 0.0 && *value <= VTK_FLOAT_MAX)) // false for NaN, too
+  {
+    throw Failure(std::string(name) + " must be zero or more, and finite.");
+  }
+}
+
+double GetDistance(vtkAreaLight* light)
+{
+  return std::sqrt(vtkMath::Distance2BetweenPoints(light->GetPosition(), light->GetFocalPoint()));
+}
+
+//------------------------------------------------------------------------------
+// Area that a receiver at the focal point sees.
+double GetArea(vtkAreaLight* light)
+{
+  const std::string shape = GetShapeName(light);
+  if (shape == "rectangle")
+  {
+    return light->GetWidth() * light->GetHeight();
+  }
+  const double radius = shape == "point" ? 0.0
+    : shape == "directional"
+    ? GetDistance(light) * std::tan(vtkMath::RadiansFromDegrees(0.5 * light->GetAngularDiameter()))
+    : light->GetRadius();
+  return vtkMath::Pi() * radius * radius;
+}
+
+//------------------------------------------------------------------------------
+void SetShape(vtkAreaLight* light, const std::string& shape)
+{
+  const double area = GetArea(light);
+  const double radius = std::sqrt(area / vtkMath::Pi());
+  light->SetPositional(shape != "directional");
+  if (shape == "point")
+  {
+    light->SetShapeToPoint();
+  }
+  else if (shape == "rectangle")
+  {
+    light->SetShapeToRectangle();
+    light->SetWidth(std::sqrt(area));
+    light->SetHeight(std::sqrt(area));
+  }
+  else if (shape == "directional")
+  {
+    const double distance = GetDistance(light);
+    light->SetAngularDiameter(
+      distance > 0.0 ? 2.0 * vtkMath::DegreesFromRadians(std::atan(radius / distance)) : 0.0);
+  }
+  else
+  {
+    light->SetShape(shape == "disk" ? vtkAreaLight::Disk : vtkAreaLight::Sphere);
+    light->SetRadius(radius);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+std::string GetShapeName(vtkAreaLight* light)
+{
+  // The enumeration's order is that of the names.
+  return light->GetPositional() ? Shapes[light->GetShape()] : "directional";
+}
+
+//------------------------------------------------------------------------------
+void LightOptions::Declare(CLI::App& command)
+{
+  const auto number = [&](const char* name, std::optional<double>& value, const char* meaning) {
+    command.add_option(name, value, meaning)->type_name("X")->group("Light");
+  };
+  command
+    .add_option("--light-shape", this->Shape, "point, sphere, disk, rectangle or directional")
+    ->type_name("SHAPE")
+    ->group("Light");
+  number("--light-radius", this->Radius, "Of a sphere or disk, in units of the scene");
+  number("--light-width", this->Width, "Of a rectangle");
+  number("--light-height", this->Height, "Of a rectangle");
+  number("--light-angle", this->Angle, "Diameter of a directional light, in degrees (the sun: 0.53)");
+  Values::AddTriple(command, "--light-position", this->Position, "X,Y,Z", "Where the light is")
+    ->group("Light");
+  Values::AddTriple(
+    command, "--light-target", this->Target, "X,Y,Z", "What it faces; of a directional light the way")
+    ->group("Light");
+}
+
+//------------------------------------------------------------------------------
+void LightOptions::Check() const
+{
+  if (!this->Shape.empty() &&
+    std::find(std::begin(Shapes), std::end(Shapes), this->Shape) == std::end(Shapes))
+  {
+    throw Failure("unknown light shape '" + this->Shape +
+      "'. Known: point, sphere, disk, rectangle, directional.");
+  }
+  CheckLength("--light-radius", this->Radius);
+  CheckLength("--light-width", this->Width);
+  CheckLength("--light-height", this->Height);
+  if (this->Angle && !(*this->Angle >= 0.0 && *this->Angle <= 90.0))
+  {
+    throw Failure("--light-angle is from 0 to 90 degrees.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void LightOptions::Apply(vtkAreaLight* light) const
+{
+  if (!this->Shape.empty() && this->Shape != GetShapeName(light))
+  {
+    SetShape(light, this->Shape);
+  }
+  const std::string shape = GetShapeName(light);
+  const auto refuse = [&](bool given, const char* option, bool fits) {
+    if (given && !fits)
+    {
+      throw WrongUsage(std::string(option) + ": the light is a " + shape + " light. See --light-shape.");
+    }
+  };
+  refuse(this->Radius.has_value(), "--light-radius", shape == "sphere" || shape == "disk");
+  refuse(this->Width.has_value(), "--light-width", shape == "rectangle");
+  refuse(this->Height.has_value(), "--light-height", shape == "rectangle");
+  refuse(this->Angle.has_value(), "--light-angle", shape == "directional");
+
+  light->SetRadius(this->Radius.value_or(light->GetRadius()));
+  light->SetWidth(this->Width.value_or(light->GetWidth()));
+  light->SetHeight(this->Height.value_or(light->GetHeight()));
+  light->SetAngularDiameter(this->Angle.value_or(light->GetAngularDiameter()));
+  if (this->Position)
+  {
+    light->SetPosition(this->Position->data());
+  }
+  if (this->Target)
+  {
+    light->SetFocalPoint(this->Target->data());
+  }
+  if (shape != "point" && shape != "sphere" && !(GetDistance(light) > 0.0))
+  {
+    throw Failure("a " + shape + " light needs a direction: it is placed on its target.");
+  }
+  const bool flat = shape == "rectangle" && light->GetWidth() + light->GetHeight() > 0.0;
+  if (shape != "point" && !flat && GetArea(light) == 0.0)
+  {
+    Messages::Note("the light has no size: its shadows are hard.");
+  }
+  else if (flat && GetArea(light) == 0.0)
+  {
+    Messages::Note("the light has no area: it is a line, soft in one direction only.");
+  }
+}

@@ -1,0 +1,179 @@
+#include "Render.h"
+
+#include "Errors.h"
+#include "OffscreenWindow.h"
+#include "Outputs.h"
+#include "SceneOptions.h"
+#include "Statistics.h"
+#include "Techniques.h"
+
+#include "vtkAreaLight.h"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+struct RenderOptions
+{
+  SceneOptions Scene;
+  TechniqueOptions Parameters;
+  std::string Technique = "map-soft";
+  std::string DebugView;
+  std::string Picture;
+  std::string Visibility;
+  std::string Statistics;
+  int Frames = 1;
+  bool AsJson = false;
+};
+
+//------------------------------------------------------------------------------
+// The technique with all that was asked of it; none for the plain picture.
+vtkSmartPointer<vtkShadowPass> MakePass(const RenderOptions& options)
+{
+  if (options.Technique == "none")
+  {
+    const char* pointless = !options.Visibility.empty() ? "--visibility"
+      : !options.DebugView.empty()                      ? "--debug-view"
+      : !options.Parameters.Settings.empty()            ? "--set"
+      : !options.Parameters.Quality.empty()             ? "--quality"
+                                                        : nullptr;
+    if (pointless)
+    {
+      throw WrongUsage(std::string(pointless) + " needs a technique other than none.");
+    }
+    return nullptr;
+  }
+  options.Parameters.CheckSettings({ options.Technique });
+  auto pass = options.Parameters.Create(options.Technique, true);
+  if (!options.DebugView.empty())
+  {
+    pass->SetDebugView(options.DebugView);
+    Messages::Check();
+  }
+  return pass;
+}
+
+//------------------------------------------------------------------------------
+// Milliseconds of a frame. The first one sets everything up and stands for itself if it is the only
+// one asked for; else it is left out.
+double Draw(OffscreenWindow& window, int frames)
+{
+  double time = window.Render();
+  if (frames > 1)
+  {
+    std::vector<double> times(frames);
+    for (double& one : times)
+    {
+      one = window.Render();
+    }
+    time = Statistics::GetMedian(times);
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
+void Render(const RenderOptions& options)
+{
+  options.Scene.Check();
+  if (options.Frames < 1 || options.Frames > 10000)
+  {
+    throw Failure("--frames is from 1 to 10000, not " + std::to_string(options.Frames) + ".");
+  }
+  const auto pass = MakePass(options);
+
+  Outputs outputs;
+  outputs.PlanPicture(options.Picture, 3);
+  if (!options.Visibility.empty())
+  {
+    outputs.PlanPicture(options.Visibility, 1);
+  }
+  if (!options.Statistics.empty())
+  {
+    outputs.PlanText(options.Statistics);
+  }
+
+  OffscreenWindow window(options.Scene.Size.data(), options.Scene.SamplesPerPixel);
+  const Scene scene = options.Scene.Build(window.GetRenderer());
+  if (pass && !pass->IsSupported(window.GetOpenWindow()))
+  {
+    throw Failure(options.Technique + " cannot run here: " + pass->GetUnsupportedReason() + ".");
+  }
+  window.GetRenderer()->SetPass(pass);
+  const double time = Draw(window, options.Frames);
+  outputs.StagePicture(options.Picture, window.Grab());
+  if (!options.Visibility.empty())
+  {
+    vtkImageData* visibility = pass->GetVisibility(scene.Light);
+    Messages::Check();
+    outputs.StagePicture(options.Visibility, visibility);
+  }
+
+  Json statistics = { { "technique", options.Technique },
+    { "parameters", pass ? Techniques::GetParameters(pass) : Json() }, { "scene", scene.GetJSON() },
+    { "size", options.Scene.Size }, { "frames", options.Frames },
+    { "includes_setup", options.Frames == 1 }, { "frame_milliseconds", time },
+    { "picture", options.Picture } };
+  statistics["pass"] = pass ? Json::parse(pass->GetStatistics()) : Json();
+  if (!options.Statistics.empty())
+  {
+    outputs.StageText(options.Statistics, statistics.dump(2) + "\n");
+  }
+  Messages::Check();
+  outputs.Commit();
+
+  Messages::ShowWarnings();
+  if (options.AsJson)
+  {
+    std::cout << statistics.dump(2) << std::endl;
+    return;
+  }
+  const std::string how = options.Frames == 1
+    ? "first frame, with set-up"
+    : "median of " + std::to_string(options.Frames) + " frames";
+  std::printf("%s: %lld triangles, %dx%d, %.1f ms (%s), written to %s\n", options.Technique.c_str(),
+    static_cast<long long>(scene.Triangles), options.Scene.Size[0], options.Scene.Size[1], time,
+    how.c_str(), options.Picture.c_str());
+}
+}
+
+//------------------------------------------------------------------------------
+void DeclareRender(CLI::App& app)
+{
+  CLI::App* command =
+    app.add_subcommand("render", "Draw models or a built-in scene with one technique");
+  auto options = std::make_shared<RenderOptions>();
+  command
+    ->add_option("-o,--output", options->Picture, "The picture: png, exr, tif, bmp and others")
+    ->type_name("FILE")
+    ->required();
+  options->Scene.Declare(*command);
+  command
+    ->add_option("--technique", options->Technique,
+      "Which technique (default map-soft; see \"softshadows list\"), or none: no shadows")
+    ->type_name("NAME")
+    ->group("Technique");
+  options->Parameters.Declare(*command);
+  command
+    ->add_option("--debug-view", options->DebugView,
+      "Show visibility, penumbra, cost, or what the technique adds")
+    ->type_name("VIEW")
+    ->group("Technique");
+  command->add_option("--visibility", options->Visibility, "Write the light's visibility (exr, tif)")
+    ->type_name("FILE");
+  command->add_option("--stats", options->Statistics, "Write the figures of the frame as JSON")
+    ->type_name("FILE");
+  command
+    ->add_option("--frames", options->Frames,
+      "Draw once (default), or give the median time of N frames after a first one")
+    ->type_name("N");
+  command->add_flag("--json", options->AsJson, "Print the figures as JSON");
+  command->callback([options] { Render(*options); });
+}

@@ -1,0 +1,215 @@
+#include "SceneOptions.h"
+
+#include "Errors.h"
+#include "Meshes.h"
+#include "Models.h"
+#include "Values.h"
+
+#include "vtkActor.h"
+#include "vtkAreaLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMapper.h"
+#include "vtkPolyData.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+#include "vtkShadowPass.h"
+#include "vtkShadowScenes.h"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+vtkIdType CountTriangles(vtkRenderer* renderer)
+{
+  vtkIdType count = 0;
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator iterator;
+  props->InitTraversal(iterator);
+  while (vtkProp* prop = props->GetNextProp(iterator))
+  {
+    vtkShadowPass::ForEachActor(prop, [&count](vtkActor* actor, vtkMatrix4x4*) {
+      vtkMapper* mapper = actor->GetMapper();
+      if (mapper)
+      {
+        mapper->Update();
+        auto* surface = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
+        count += surface ? Meshes::CountTriangles(surface) : 0;
+      }
+    });
+  }
+  return count;
+}
+
+vtkAreaLight* FindLight(vtkRenderer* renderer)
+{
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator iterator;
+  lights->InitTraversal(iterator);
+  while (vtkLight* light = lights->GetNextLight(iterator))
+  {
+    if (auto* area = vtkAreaLight::SafeDownCast(light))
+    {
+      return area;
+    }
+  }
+  return nullptr;
+}
+}
+
+//------------------------------------------------------------------------------
+nlohmann::ordered_json Scene::GetJSON() const
+{
+  nlohmann::ordered_json json = { { "name", this->Name }, { "triangles", this->Triangles } };
+  const std::string shape = GetShapeName(this->Light);
+  nlohmann::ordered_json& light = json["light"];
+  light["shape"] = shape;
+  if (shape == "sphere" || shape == "disk")
+  {
+    light["radius"] = this->Light->GetRadius();
+  }
+  else if (shape == "rectangle")
+  {
+    light["width"] = this->Light->GetWidth();
+    light["height"] = this->Light->GetHeight();
+  }
+  else if (shape == "directional")
+  {
+    light["angle_degrees"] = this->Light->GetAngularDiameter();
+  }
+  const double* position = this->Light->GetPosition();
+  const double* target = this->Light->GetFocalPoint();
+  light["position"] = { position[0], position[1], position[2] };
+  light["target"] = { target[0], target[1], target[2] };
+  return json;
+}
+
+//------------------------------------------------------------------------------
+void SceneOptions::Declare(CLI::App& command)
+{
+  command.add_option("MODEL", this->Models, "Polygon files, drawn together: " + Models::GetExtensions())
+    ->type_name("");
+  command
+    .add_option(
+      "--scene", this->Builtin, "A built-in scene instead of models (see \"softshadows list\")")
+    ->type_name("NAME")
+    ->group("Scene");
+  command
+    .add_option("--triangles", this->Triangles, "How many triangles the scene \"plant\" shall have")
+    ->type_name("N")
+    ->group("Scene");
+  command.add_flag("--ground", this->Ground, "Put a ground under what is drawn")->group("Scene");
+  command
+    .add_option("--up", this->Up, "Axis that points up: x, y or z (default y for models, z for scenes)")
+    ->type_name("AXIS")
+    ->group("Scene");
+  this->Light.Declare(command);
+  Values::AddSize(command, "--size", this->Size, "Width and height of the picture (default 900x700)")
+    ->group("Picture");
+  Values::AddTriple(command, "--background", this->Background, "R,G,B", "Background, each 0 to 1")
+    ->group("Picture");
+  command
+    .add_option("--samples-per-pixel", this->SamplesPerPixel, "Smooth edges: 0 (default) to 8")
+    ->type_name("N")
+    ->group("Picture");
+}
+
+//------------------------------------------------------------------------------
+void SceneOptions::Check() const
+{
+  if (this->Models.empty() == this->Builtin.empty())
+  {
+    throw WrongUsage(this->Models.empty() ? "nothing to draw: give model files, or --scene NAME."
+                                          : "model files and --scene exclude each other.");
+  }
+  if (!this->Builtin.empty())
+  {
+    vtkShadowScenes::Describe(this->Builtin);
+    Messages::Check();
+  }
+  if (this->Triangles != 0 && this->Builtin.empty())
+  {
+    throw WrongUsage("--triangles goes with --scene plant.");
+  }
+  if (!this->Up.empty() && this->Up != "x" && this->Up != "y" && this->Up != "z")
+  {
+    throw Failure("unknown axis '" + this->Up + "' for --up. Known: x, y, z.");
+  }
+  if (this->Background &&
+    std::any_of(this->Background->begin(), this->Background->end(),
+      [](double value) { return value < 0.0 || value > 1.0; }))
+  {
+    throw Failure("--background takes three numbers from 0 to 1.");
+  }
+  if (this->SamplesPerPixel < 0 || this->SamplesPerPixel > 8)
+  {
+    throw Failure("--samples-per-pixel is from 0 to 8, not " +
+      std::to_string(this->SamplesPerPixel) + ".");
+  }
+  constexpr int largest = 16384;
+  for (const int side : this->Size)
+  {
+    if (side < 1 || side > largest)
+    {
+      throw Failure("--size " + std::to_string(this->Size[0]) + "x" + std::to_string(this->Size[1]) +
+        ": a side is from 1 to " + std::to_string(largest) + " pixels.");
+    }
+  }
+  this->Light.Check();
+}
+
+//------------------------------------------------------------------------------
+Scene SceneOptions::Build(vtkRenderer* renderer) const
+{
+  Scene scene;
+  const std::string axis = !this->Up.empty() ? this->Up : (this->Builtin.empty() ? "y" : "z");
+  const int up = axis[0] - 'x';
+  if (!this->Builtin.empty())
+  {
+    scene.Name = this->Builtin;
+    vtkShadowScenes::Build(this->Builtin, renderer, this->Triangles);
+    Messages::Check();
+    if (!vtkShadowScenes::GetModelNote().empty())
+    {
+      Messages::Note(vtkShadowScenes::GetModelNote());
+    }
+  }
+  else
+  {
+    for (const std::string& path : this->Models)
+    {
+      for (const auto& actor : Models::Read(path))
+      {
+        renderer->AddActor(actor);
+      }
+      scene.Name += (scene.Name.empty() ? "" : " ") + path;
+    }
+    renderer->AutomaticLightCreationOff();
+    renderer->SetBackground(0.87, 0.88, 0.90);
+    vtkShadowScenes::AddLight(renderer, up);
+    vtkShadowScenes::ResetCamera(renderer, up);
+  }
+  if (this->Ground)
+  {
+    vtkShadowScenes::AddGround(renderer, up);
+  }
+  Messages::Check();
+  scene.Light = FindLight(renderer);
+  if (!scene.Light)
+  {
+    throw Failure("scene '" + scene.Name + "' has no light.");
+  }
+  this->Light.Apply(scene.Light);
+  if (this->Background)
+  {
+    renderer->GradientBackgroundOff();
+    renderer->SetBackground(this->Background->data());
+  }
+  scene.Triangles = CountTriangles(renderer);
+  renderer->ResetCameraClippingRange();
+  return scene;
+}

@@ -1,0 +1,75 @@
+// What is drawn and how it is lit, as the command line says it: the same for every subcommand.
+
+#ifndef SceneOptions_h
+#define SceneOptions_h
+
+#include "vtkType.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI
+{
+class App;
+class Option;
+}
+class OffscreenWindow;
+class vtkAreaLight;
+class vtkRenderer;
+
+/** Options of the light; what is not given stays as the scene has it, or as AddLight makes it. */
+struct LightOptions
+{
+  std::string Shape;
+  std::optional<double> Radius;
+  std::optional<double> Width;
+  std::optional<double> Height;
+  std::optional<double> Angle;
+  std::optional<std::array<double, 3>> Position;
+  std::optional<std::array<double, 3>> Target;
+
+  void Declare(CLI::App& command);
+  /** Failure for a value that no light has. */
+  void Check() const;
+  /** A new shape keeps the area that the light had, unless its size is given. */
+  void Apply(vtkAreaLight* light) const;
+};
+
+/** A scene that was set up. */
+struct Scene
+{
+  std::string Name; // of the built-in scene, or the model files
+  vtkAreaLight* Light = nullptr;
+  vtkIdType Triangles = 0;
+
+  nlohmann::ordered_json GetJSON() const;
+};
+
+struct SceneOptions
+{
+  std::vector<std::string> Models;
+  std::string Builtin;
+  int Triangles = 0;
+  bool Ground = false;
+  std::string Up;
+  LightOptions Light;
+  std::array<int, 2> Size = { 900, 700 };
+  std::optional<std::array<double, 3>> Background;
+  int SamplesPerPixel = 0;
+
+  /** All options, and the models as positional arguments. */
+  void Declare(CLI::App& command);
+  /** WrongUsage or Failure for options that cannot be; nothing is read yet. */
+  void Check() const;
+  /** Set up the renderer; what needs to be said is left with Messages. */
+  Scene Build(vtkRenderer* renderer) const;
+};
+
+/** A light's shape in the words of the command line: point, sphere, disk, rectangle, directional. */
+std::string GetShapeName(vtkAreaLight* light);
+
+#endif

@@ -1,0 +1,80 @@
+#include "Values.h"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <sstream>
+
+namespace
+{
+bool ParseNumber(const std::string& text, double& value)
+{
+  char* end = nullptr;
+  value = std::strtod(text.c_str(), &end);
+  return !text.empty() && *end == '\0' && std::isfinite(value);
+}
+}
+
+namespace Values
+{
+//------------------------------------------------------------------------------
+std::vector<std::string> Split(const std::string& text, char separator)
+{
+  std::vector<std::string> words;
+  std::istringstream stream(text + separator);
+  for (std::string word; std::getline(stream, word, separator);)
+  {
+    words.push_back(word);
+  }
+  return words;
+}
+
+//------------------------------------------------------------------------------
+CLI::Option* AddTriple(CLI::App& command, const std::string& name,
+  std::optional<std::array<double, 3>>& value, const std::string& form, const std::string& meaning)
+{
+  const auto parse = [name, &value](const std::string& text) {
+    const auto words = Split(text);
+    std::array<double, 3> numbers{};
+    bool valid = words.size() == numbers.size();
+    for (std::size_t i = 0; valid && i < numbers.size(); ++i)
+    {
+      valid = ParseNumber(words[i], numbers[i]);
+    }
+    if (!valid)
+    {
+      throw CLI::ValidationError(name, "\"" + text + "\" is not three numbers such as 1,2.5,-3");
+    }
+    value = numbers;
+  };
+  return command.add_option_function<std::string>(name, parse, meaning)->type_name(form);
+}
+
+//------------------------------------------------------------------------------
+CLI::Option* AddSize(CLI::App& command, const std::string& name, std::array<int, 2>& value,
+  const std::string& meaning)
+{
+  const auto parse = [name, &value](const std::string& text) {
+    const auto words = Split(text, 'x');
+    std::array<int, 2> sides{};
+    bool valid = words.size() == sides.size();
+    for (std::size_t i = 0; valid && i < sides.size(); ++i)
+    {
+      double number = 0.0;
+      valid = ParseNumber(words[i], number) && number == std::floor(number) &&
+        std::abs(number) <= std::numeric_limits<int>::max();
+      sides[i] = valid ? static_cast<int>(number) : 0;
+    }
+    if (!valid)
+    {
+      throw CLI::ValidationError(name, "\"" + text + "\" is not a size such as 900x700");
+    }
+    value = sides;
+  };
+  return command.add_option_function<std::string>(name, parse, meaning)->type_name("WxH");
+}
+}

@@ -1,0 +1,31 @@
+// Values on the command line that are more than one number. Text of another form is wrong usage.
+
+#ifndef Values_h
+#define Values_h
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI
+{
+class App;
+class Option;
+}
+
+namespace Values
+{
+/** An option of three numbers, "1,2.5,-3". */
+CLI::Option* AddTriple(CLI::App& command, const std::string& name,
+  std::optional<std::array<double, 3>>& value, const std::string& form, const std::string& meaning);
+
+/** An option of a size, "900x700". */
+CLI::Option* AddSize(CLI::App& command, const std::string& name, std::array<int, 2>& value,
+  const std::string& meaning);
+
+/** The words between commas. */
+std::vector<std::string> Split(const std::string& text, char separator = ',');
+}
+
+#endif
