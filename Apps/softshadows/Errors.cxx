@@ -42,9 +42,12 @@ std::string Plain(const char* text)
 {
   static const std::regex place("^(ERROR|Warning|Generic Warning|Debug): In [^\n]*\n");
   static const std::regex speaker("^(vtk\\w+ \\((0x[0-9a-f]+|nil|0)\\)|vtk\\w+): ");
+  static const std::regex silent("^Algorithm vtk\\w+ ?\\(0x[0-9a-f]+\\) returned failure[^]*");
   static const std::regex space("\\s+");
   std::string plain = std::regex_replace(std::string(text ? text : ""), place, "");
   plain = std::regex_replace(plain, speaker, "");
+  // What a reader says that does not know its own file.
+  plain = std::regex_replace(plain, silent, "it is damaged, or of another kind than its name says");
   // A shader that fails brings its whole source along.
   constexpr std::size_t longest = 600;
   if (plain.size() > longest)

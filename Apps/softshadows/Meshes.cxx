@@ -22,9 +22,10 @@ constexpr double FeatureAngle = 60.0; // degrees; a box stays a box, a coarse sp
 //------------------------------------------------------------------------------
 bool IsUsable(const double point[3])
 {
-  constexpr double largest = std::numeric_limits<float>::max(); // what OpenGL can take
+  // What OpenGL can take. A reader that clamps to floats gives just this for what is larger.
+  constexpr double limit = std::numeric_limits<float>::max();
   return std::all_of(
-    point, point + 3, [](double value) { return std::abs(value) <= largest; }); // false for NaN
+    point, point + 3, [](double value) { return std::abs(value) < limit; }); // false for NaN
 }
 
 //------------------------------------------------------------------------------

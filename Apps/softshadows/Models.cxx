@@ -2,6 +2,8 @@
 
 #include "Errors.h"
 #include "Meshes.h"
+#include "ObjFile.h"
+#include "ReaderGuard.h"
 
 #include "vtkActorCollection.h"
 #include "vtkCellArray.h"
@@ -116,9 +118,10 @@ vtkSmartPointer<vtkPolyData> GetSurface(vtkDataObject* data, const std::string& 
 
 //------------------------------------------------------------------------------
 template <typename Reader>
-vtkSmartPointer<vtkPolyData> ReadSurface(Reader* reader, const std::string& path)
+vtkSmartPointer<vtkPolyData> ReadSurface(
+  Reader* reader, const std::string& path, const std::string& copy = "")
 {
-  reader->SetFileName(path.c_str());
+  reader->SetFileName(copy.empty() ? path.c_str() : copy.c_str());
   reader->Update();
   Messages::Check("cannot read " + Quoted(path));
   return GetSurface(reader->GetOutputDataObject(0), path);
@@ -200,7 +203,8 @@ Actors ReadAny(const std::string& path, Meshes::Report& report)
   }
   if (extension == ".obj")
   {
-    surface = ReadSurface(vtkNew<vtkOBJReader>().Get(), path);
+    const ObjFile file(path);
+    surface = ReadSurface(vtkNew<vtkOBJReader>().Get(), path, file.GetPath());
   }
   else if (extension == ".ply")
   {
@@ -245,7 +249,7 @@ void Tell(const Meshes::Report& report, const std::string& path, bool left)
     throw Failure(report.BadPoints > 0
         ? points + ", and no polygon without them is left."
         : report.BadPolygons > 0
-        ? of(report.BadPolygons, " polygons refer to points that it does not have, and none is left.")
+        ? of(report.BadPolygons, " polygon(s) with points that are not there, and none is left.")
         : Quoted(path) + " holds no polygons.");
   }
   if (report.BadPoints > 0)
@@ -255,7 +259,7 @@ void Tell(const Meshes::Report& report, const std::string& path, bool left)
   if (report.BadPolygons > 0)
   {
     Messages::Warn(
-      of(report.BadPolygons, " polygons refer to points that it does not have; they are left out."));
+      of(report.BadPolygons, " polygon(s) left out that have points that are not there."));
   }
 }
 }
@@ -280,8 +284,16 @@ std::vector<vtkSmartPointer<vtkActor>> Read(const std::string& path)
   }
   CheckFile(path);
   Meshes::Report report;
-  const Actors actors = ReadAny(path, report);
-  Messages::Check("cannot read " + Quoted(path));
+  Actors actors;
+  {
+    ReaderGuard guard(path);
+    actors = ReadAny(path, report);
+    Messages::Check("cannot read " + Quoted(path));
+    if (!guard.GetPrinted().empty())
+    {
+      throw Failure("cannot read " + Quoted(path) + ": " + guard.GetPrinted() + ".");
+    }
+  }
   Tell(report, path, !actors.empty());
   return actors;
 }

@@ -160,7 +160,8 @@ bool HasParameter(const nlohmann::ordered_json& description, const std::string& 
 nlohmann::ordered_json GetParameters(vtkShadowPass* pass)
 {
   nlohmann::ordered_json values = nlohmann::ordered_json::object();
-  for (const auto& parameter : Describe(pass->GetTechnique())["parameters"])
+  const nlohmann::ordered_json description = Describe(pass->GetTechnique());
+  for (const auto& parameter : description["parameters"])
   {
     const std::string name = parameter["name"];
     values[name] = pass->GetParameter(name);

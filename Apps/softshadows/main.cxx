@@ -25,10 +25,11 @@ int Fail(const std::string& text, int code)
 int main(int argc, char* argv[])
 {
   Messages::Install();
-  CLI::App app("Soft shadows for VTK: draw models and scenes, and measure the techniques.");
+  CLI::App app("Soft shadows for VTK: draw models and scenes, and measure the techniques.",
+    "softshadows");
   app.set_version_flag("--version", "softshadows " SOFTSHADOWS_VERSION);
   app.require_subcommand(1);
-  app.get_formatter()->column_width(34);
+  app.get_formatter()->column_width(30);
   DeclareList(app);
   DeclareRender(app);
   DeclareCompare(app);

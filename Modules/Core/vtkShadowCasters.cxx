@@ -179,7 +179,8 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer)
   }
   // The origin stays as long as it is near: moving it would rebuild everything else.
   const glm::dvec3 centre = 0.5 * (low + high);
-  if (!placed.empty() && glm::length(centre - this->Origin) > glm::length(high - low))
+  this->Size = placed.empty() ? 0.0 : glm::length(high - low);
+  if (!placed.empty() && glm::length(centre - this->Origin) > this->Size)
   {
     this->Origin = centre;
     changed = true;

@@ -58,6 +58,8 @@ public:
 
   /** Origin of WC in the world. It stays until the casters leave its neighbourhood. */
   const glm::dvec3& GetOrigin() const { return this->Origin; }
+  /** Diagonal of the box around all casters, in world units. */
+  double GetSize() const { return this->Size; }
   /** Rises with every change. */
   unsigned long GetVersion() const { return this->Version; }
   /** Rises only when meshes came, went or changed: matrices alone leave it. */
@@ -86,6 +88,7 @@ private:
   std::vector<vtkShadowCaster> Casters;
   std::vector<std::array<glm::dvec3, 8>> Receivers;
   glm::dvec3 Origin{ 0.0 };
+  double Size = 0.0;
   unsigned long Version = 0;
   unsigned long MeshVersion = 0;
   std::unique_ptr<Buffers> GPU;

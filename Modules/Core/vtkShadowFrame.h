@@ -16,7 +16,7 @@ class vtkRenderer;
 class vtkShadowCasters;
 class vtkShadowTimers;
 
-struct vtkShadowFrame
+struct VTKSOFTSHADOWSCORE_EXPORT vtkShadowFrame
 {
   vtkRenderer* Renderer = nullptr;
   vtkOpenGLRenderWindow* Window = nullptr;
@@ -28,6 +28,10 @@ struct vtkShadowFrame
   bool Color = false;
   /** View coordinates to WC (world axes, origin at Casters->GetOrigin()). */
   glm::dmat4 VCToWC{ 1.0 };
+  glm::dmat4 GetWCToVC() const;
+  glm::dmat4 GetWorldToVC() const;
+  /** What positions on the casters can be off at least, by rounding to floats, in world units. */
+  double LeastRounding = 0.0;
   /** Counts for GetStatistics(), by name; a technique adds its own. */
   std::map<std::string, double> Counts;
 };

@@ -23,12 +23,12 @@ bool IsWord(char c)
   return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
 
-/** Multiply every lightColorN outside its declaration; the largest N + 1 is the number of lights. */
-int MultiplyLightColors(std::string& source)
+/** Multiply every lightColorN of a casting light, outside its declaration. True if there is any N. */
+bool MultiplyLightColors(std::string& source, const std::vector<int>& lightOfSlot, bool multiply)
 {
   static const std::string token = "lightColor";
   static const std::string declaration = "uniform vec3 ";
-  int lights = 0;
+  bool lit = false;
   std::string result;
   std::size_t from = 0;
   for (std::size_t at = source.find(token); at != std::string::npos; at = source.find(token, from))
@@ -43,21 +43,29 @@ int MultiplyLightColors(std::string& source)
       source.compare(at - declaration.size(), declaration.size(), declaration) == 0;
     const bool whole = !number.empty() && (at == 0 || !IsWord(source[at - 1])) &&
       (end == source.size() || !IsWord(source[end]));
-    result += source.substr(from, at - from);
+    result += source.substr(from, end - from);
     if (whole && !declared)
     {
-      result += "(lightColor" + number + " * shadowFactor" + number + ")";
-      lights = std::max(lights, std::stoi(number) + 1);
-    }
-    else
-    {
-      result += source.substr(at, end - at);
+      lit = true;
+      const std::size_t slot = std::stoul(number);
+      if (multiply && slot < lightOfSlot.size() && lightOfSlot[slot] >= 0)
+      {
+        result.resize(result.size() - (end - at));
+        result += "(lightColor" + number + " * shadowFactor" + number + ")";
+      }
     }
     from = end;
   }
   source = result + source.substr(from);
-  return lights;
+  return lit;
 }
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowInjection::Code::operator==(const Code& other) const
+{
+  return this->Declarations == other.Declarations && this->LightOfSlot == other.LightOfSlot &&
+    this->Receivers == other.Receivers && this->Shading == other.Shading;
 }
 
 //------------------------------------------------------------------------------
@@ -72,49 +80,58 @@ void vtkShadowInjection::Mark(std::string& source)
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowInjection::Fill(std::string& source, const std::string& declarations)
+void vtkShadowInjection::Fill(std::string& source, const Code& code)
 {
+  if (code.Declarations.empty())
+  {
+    return;
+  }
   const bool positioned = source.find("vec4 vertexVC =") != std::string::npos;
-  const int lights = positioned ? MultiplyLightColors(source) : 0;
-  if (lights == 0)
+  if (!positioned || !MultiplyLightColors(source, code.LightOfSlot, code.Shading))
   {
     // Unlit: it hides what lies behind it, and receives nothing.
-    vtkShaderProgram::Substitute(source, "//SHADOW::Dec", "uniform int shadowMode;");
-    vtkShaderProgram::Substitute(source, "//SHADOW::Impl",
-      "if (shadowMode == 2) { gl_FragData[0] = vec4(0.0); return; }");
+    if (code.Receivers)
+    {
+      vtkShaderProgram::Substitute(source, "//SHADOW::Dec",
+        code.Shading ? "uniform bool shadowWritesReceivers;"
+                     : "const bool shadowWritesReceivers = true;");
+      vtkShaderProgram::Substitute(source, "//SHADOW::Impl",
+        "if (shadowWritesReceivers) { gl_FragData[0] = vec4(0.0); return; }");
+    }
     return;
   }
   // Imposters move the position after its derivatives are taken; their own normal is exact.
   const bool imposter = source.find("gl_FragDepth =") != std::string::npos;
-  std::string code = imposter
+  std::string body = imposter
     ? "vec3 shadowNormalVC = normalVCVSOutput;\n"
     : "vec3 shadowNormalVC = shadowGeometricNormal("
       "vertexVC.xyz, shadowDxVC, shadowDyVC, normalVCVSOutput);\n";
-  code += "  if (shadowMode == 2)\n"
-          "  {\n"
-          "    gl_FragData[0] = vec4(vertexVC.xyz, !shadowReceives ? 0.0 :\n"
-          "      (shadowCasts ? 1.0 : -1.0) * shadowPackNormal(shadowNormalVC));\n"
-          "    return;\n"
-          "  }\n"
-          "  float shadowFootprint = 4.0 * (length(shadowDxVC) + length(shadowDyVC));\n";
-  for (int i = 0; i < lights; ++i)
+  if (code.Receivers)
   {
-    const std::string n = std::to_string(i);
-    code += "  SHADOW_VISIBILITY shadowFactor" + n + " = shadowFactor(" + n +
-      ", vertexVC.xyz, shadowNormalVC, shadowFootprint);\n";
+    body += "  if (shadowWritesReceivers)\n"
+            "  {\n"
+            "    gl_FragData[0] = vec4(vertexVC.xyz, !shadowReceives ? 0.0 :\n"
+            "      (shadowCasts ? 1.0 : -1.0) * shadowPackNormal(shadowNormalVC));\n"
+            "    return;\n"
+            "  }\n";
   }
-  vtkShaderProgram::Substitute(source, "//SHADOW::Dec", declarations);
+  if (code.Shading)
+  {
+    body += "  float shadowFootprint = 4.0 * (length(shadowDxVC) + length(shadowDyVC));\n";
+    for (std::size_t slot = 0; slot < code.LightOfSlot.size(); ++slot)
+    {
+      if (code.LightOfSlot[slot] >= 0)
+      {
+        body += "  SHADOW_VISIBILITY shadowFactor" + std::to_string(slot) + " = shadowFactor(" +
+          std::to_string(code.LightOfSlot[slot]) +
+          ", vertexVC.xyz, shadowNormalVC, shadowFootprint);\n";
+      }
+    }
+  }
+  vtkShaderProgram::Substitute(source, "//SHADOW::Dec", code.Declarations);
   vtkShaderProgram::Substitute(source, "//SHADOW::UniformFlow",
     "vec3 shadowDxVC = dFdx(vertexVC.xyz);\n  vec3 shadowDyVC = dFdy(vertexVC.xyz);");
-  vtkShaderProgram::Substitute(source, "//SHADOW::Impl", code);
-}
-
-//------------------------------------------------------------------------------
-std::string vtkShadowInjection::GetDeclarations(
-  const std::string& preamble, bool forward, const std::string& visibilityGLSL)
-{
-  return preamble + (forward ? "#define SHADOW_FORWARD\n" : "#define SHADOW_BUFFER\n") +
-    vtkShadowLightsFS + (forward ? visibilityGLSL : "") + vtkShadowInjectFS;
+  vtkShaderProgram::Substitute(source, "//SHADOW::Impl", body);
 }
 
 //------------------------------------------------------------------------------
@@ -130,9 +147,13 @@ std::string vtkShadowInjection::GetEvaluation(
 //------------------------------------------------------------------------------
 std::string vtkShadowPass::Internals::GetPreamble() const
 {
-  return "#define SHADOW_MAX_LIGHTS " + std::to_string(MaximumLights) +
-    "\n#define SHADOW_MAX_SLOTS " + std::to_string(MaximumSlots) +
+  std::string text = "#define SHADOW_LIGHTS " +
+    std::to_string(std::max<std::size_t>(1, this->Frame.Lights.size())) +
     "\n#define SHADOW_VISIBILITY " + (this->Frame.Color ? "vec3" : "float") + "\n";
+  const bool hard = this->Technique->Hard ||
+    std::all_of(this->Frame.Lights.begin(), this->Frame.Lights.end(),
+      [](const vtkShadowLight& light) { return light.IsPoint(); });
+  return hard ? text + "#define SHADOW_HARD\n" : text;
 }
 
 //------------------------------------------------------------------------------
@@ -141,33 +162,32 @@ void vtkShadowPass::Internals::SetLights(vtkShaderProgram* program)
   float place[MaximumLights][4] = {};
   float u[MaximumLights][4] = {};
   float v[MaximumLights][4] = {};
-  const auto set = [](float* target, const glm::dvec3& vector, double w) {
+  const glm::dmat4 worldToVC = this->Frame.GetWorldToVC();
+  const auto set = [&worldToVC](float* target, const glm::dvec3& vector, double isPoint, double w) {
+    const glm::dvec4 vectorVC = worldToVC * glm::dvec4(vector, isPoint);
     for (int c = 0; c < 3; ++c)
     {
-      target[c] = static_cast<float>(vector[c]);
+      target[c] = static_cast<float>(vectorVC[c]);
     }
     target[3] = static_cast<float>(w);
   };
-  for (std::size_t i = 0; i < this->Frame.Lights.size(); ++i)
+  const int count = static_cast<int>(this->Frame.Lights.size());
+  for (int i = 0; i < count; ++i)
   {
     const vtkShadowLight& light = this->Frame.Lights[i];
     const bool sphere = light.Kind == vtkShadowLight::Shape::Sphere;
-    if (light.IsDirectional())
-    {
-      set(place[i], -light.Direction, 0.0);
-    }
-    else
-    {
-      set(place[i], light.Position - this->Casters.GetOrigin(), 1.0);
-    }
-    set(u[i], light.U, sphere ? glm::length(light.U) : 0.0);
-    set(v[i], light.V, light.Kind == vtkShadowLight::Shape::Rectangle ? 1.0 : 0.0);
+    const double isPoint = light.IsDirectional() ? 0.0 : 1.0;
+    set(place[i], light.IsDirectional() ? -light.Direction : light.Position, isPoint, isPoint);
+    set(u[i], light.U, 0.0, sphere ? glm::length(light.U) : 0.0);
+    set(v[i], light.V, 0.0, light.Kind == vtkShadowLight::Shape::Rectangle ? 1.0 : 0.0);
   }
-  program->SetUniform4fv("shadowLightPlaceWC", MaximumLights, place);
-  program->SetUniform4fv("shadowLightUWC", MaximumLights, u);
-  program->SetUniform4fv("shadowLightVWC", MaximumLights, v);
-  const glm::mat4 matrix(this->Frame.VCToWC);
-  program->SetUniformMatrix4x4("shadowVCToWC", const_cast<float*>(glm::value_ptr(matrix)));
+  if (count > 0)
+  {
+    program->SetUniform4fv("shadowLightPlaceVC", count, place);
+    program->SetUniform4fv("shadowLightUVC", count, u);
+    program->SetUniform4fv("shadowLightVVC", count, v);
+  }
+  program->SetUniformf("shadowLeastRounding", static_cast<float>(this->Frame.LeastRounding));
 }
 
 //------------------------------------------------------------------------------
@@ -182,25 +202,39 @@ bool vtkShadowPass::PreReplaceShaderValues(
 bool vtkShadowPass::PostReplaceShaderValues(
   std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
-  vtkShadowInjection::Fill(fragmentShader, this->Internal->Declarations);
+  vtkShadowInjection::Fill(fragmentShader, this->Internal->Injected);
   return true;
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowPass::UpdateInjection()
+void vtkShadowPass::UpdateInjection(bool writesReceivers)
 {
-  // What was injected last stays while no shadows are drawn: the mode switches it off.
+  // A shader holds the code in use: none without shadows, and forward only what shades. In screen
+  // space both halves serve every frame, and one shader holds them: changing it would make the
+  // mappers build their sources anew each time.
   Internals& my = *this->Internal;
-  if (!my.Active && !my.Declarations.empty())
+  vtkShadowInjection::Code code;
+  code.Receivers = writesReceivers || (my.Active && my.ScreenSpace);
+  code.Shading = my.Active && (my.ScreenSpace || !writesReceivers);
+  if (code.Receivers || code.Shading)
   {
-    return;
+    const bool forward = code.Shading && !my.ScreenSpace;
+    code.Declarations = my.GetPreamble() +
+      (code.Receivers ? "#define SHADOW_RECEIVERS\n" : "") +
+      (code.Shading && my.ScreenSpace ? "#define SHADOW_BUFFER\n" : "") +
+      (forward ? "#define SHADOW_FORWARD\n" : "") + vtkShadowLightsFS +
+      (forward ? this->GetVisibilityGLSL() : "") + vtkShadowInjectFS;
+    for (std::size_t i = 0; i < my.Frame.Lights.size(); ++i)
+    {
+      code.LightOfSlot.resize(
+        std::max<std::size_t>(code.LightOfSlot.size(), my.Frame.Lights[i].Slot + 1), -1);
+      code.LightOfSlot[my.Frame.Lights[i].Slot] = static_cast<int>(i);
+    }
   }
-  const bool forward = my.Active && !my.ScreenSpace;
-  std::string declarations = vtkShadowInjection::GetDeclarations(
-    my.GetPreamble(), forward, forward ? this->GetVisibilityGLSL() : "");
-  if (declarations != my.Declarations)
+  my.WritesReceivers = writesReceivers;
+  if (!(code == my.Injected))
   {
-    my.Declarations = std::move(declarations);
+    my.Injected = std::move(code);
     my.StageTime.Modified();
   }
 }
@@ -216,8 +250,7 @@ bool vtkShadowPass::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
   Internals& my = *this->Internal;
-  program->SetUniformi("shadowMode", my.Mode);
-  if (my.Mode == 0)
+  if (my.Injected.Declarations.empty())
   {
     return true;
   }
@@ -225,6 +258,7 @@ bool vtkShadowPass::SetShaderParameters(
   program->SetUniformi("shadowCasts", vtkShadowPass::GetCasting(prop));
   if (my.ScreenSpace)
   {
+    program->SetUniformi("shadowWritesReceivers", my.WritesReceivers);
     program->SetUniformi("shadowTranslucent", prop->HasTranslucentPolygonalGeometry() != 0);
   }
   // The rest is the same for all props of this frame.
@@ -232,20 +266,25 @@ bool vtkShadowPass::SetShaderParameters(
   {
     return true;
   }
-  std::array<int, Internals::MaximumSlots> lightOfSlot;
-  lightOfSlot.fill(-1);
   std::array<float, Internals::MaximumLights> attenuation{};
   for (std::size_t i = 0; i < my.Frame.Lights.size(); ++i)
   {
-    lightOfSlot[my.Frame.Lights[i].Slot] = static_cast<int>(i);
     attenuation[i] = static_cast<float>(my.Frame.Lights[i].Attenuation);
   }
-  program->SetUniform1iv("shadowLightOfSlot", Internals::MaximumSlots, lightOfSlot.data());
-  program->SetUniform1fv("shadowAttenuation", Internals::MaximumLights, attenuation.data());
-  program->SetUniformi(
-    "shadowParallel", my.Frame.Renderer->GetActiveCamera()->GetParallelProjection());
+  program->SetUniform1fv("shadowAttenuation",
+    std::max(1, static_cast<int>(my.Frame.Lights.size())), attenuation.data());
+  vtkCamera* camera = my.Renderer->GetActiveCamera();
+  program->SetUniformi("shadowParallel", camera->GetParallelProjection());
+  // Anything of the magnitude of a pixel at the focal point does.
+  const double height = camera->GetParallelProjection() ? camera->GetParallelScale()
+                                                        : camera->GetDistance();
+  program->SetUniformf("shadowUnit", static_cast<float>(500.0 / height));
   my.SetLights(program);
-  if (my.Mode == 1 && my.ScreenSpace)
+  if (my.WritesReceivers)
+  {
+    return true;
+  }
+  if (my.ScreenSpace)
   {
     int viewport[4];
     my.Window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
@@ -253,7 +292,7 @@ bool vtkShadowPass::SetShaderParameters(
     program->SetUniformi("shadowReceivers", my.Buffer.GetReceivers().GetUnit());
     program->SetUniformi("shadowBuffer", my.Buffer.GetTarget().GetUnit());
   }
-  else if (my.Mode == 1)
+  else
   {
     this->SetVisibilityParameters(program);
   }

@@ -4,21 +4,26 @@
 #define vtkShadowInjection_h
 
 #include <string>
+#include <vector>
 
 namespace vtkShadowInjection
 {
 /** Leave marks where the code goes, before the mapper replaces its own. */
 void Mark(std::string& fragmentShader);
 
-/**
- * Put the code at the marks, and multiply each light's colour, once the mapper is done.
- * Declarations come from GetDeclarations.
- */
-void Fill(std::string& fragmentShader, const std::string& declarations);
+/** What is injected. */
+struct Code
+{
+  std::string Declarations;
+  std::vector<int> LightOfSlot; // N of lightColorN to a casting light, or -1
+  bool Receivers = false;       // the shader can write receivers
+  bool Shading = false;         // the shader can multiply lights
 
-/** What the injected code declares: forward with the technique's GLSL, else reading the buffer. */
-std::string GetDeclarations(
-  const std::string& preamble, bool forward, const std::string& visibilityGLSL);
+  bool operator==(const Code& other) const;
+};
+
+/** Put the code at the marks, and multiply the lights' colours, once the mapper is done. */
+void Fill(std::string& fragmentShader, const Code& code);
 
 /** The fragment shader that evaluates the technique's GLSL in screen space. */
 std::string GetEvaluation(const std::string& preamble, const std::string& visibilityGLSL);

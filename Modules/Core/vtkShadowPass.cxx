@@ -72,8 +72,7 @@ void vtkShadowPass::Render(const vtkRenderState* s)
     this->EvaluateVisibility();
   }
 
-  my.Mode = my.Active ? 1 : 0;
-  this->UpdateInjection();
+  this->UpdateInjection(false);
   if (my.Active)
   {
     this->ActivateLightData(my.Frame);
@@ -136,8 +135,7 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
       note = std::string(name) + ": not supported by this technique, casts no shadow";
       this->WarnOnce("a " + note + ".");
     }
-    else if (static_cast<int>(frame.Lights.size()) >= Internals::MaximumLights ||
-      light.Slot >= Internals::MaximumSlots)
+    else if (static_cast<int>(frame.Lights.size()) >= Internals::MaximumLights)
     {
       note = std::string(name) + ": one casting light too many, casts no shadow";
       this->WarnOnce("more than 16 casting lights: the rest cast no shadow.");
@@ -169,6 +167,7 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
   const glm::dmat4 worldToVC = glm::transpose(
     glm::make_mat4(renderer->GetActiveCamera()->GetModelViewTransformMatrix()->GetData()));
   frame.VCToWC = glm::translate(glm::dmat4(1.0), -my.Casters.GetOrigin()) * glm::inverse(worldToVC);
+  frame.LeastRounding = my.Casters.GetSize() / 4194304.0;
   int origin[2];
   renderer->GetTiledSizeAndOrigin(&my.Size[0], &my.Size[1], &origin[0], &origin[1]);
   if (my.Size[0] <= 0 || my.Size[1] <= 0)
@@ -274,8 +273,7 @@ void vtkShadowPass::RenderReceivers()
   glClearBufferfv(GL_COLOR, 0, nothing);
   glClearBufferfv(GL_DEPTH, 0, &farthest);
 
-  my.Mode = 2;
-  this->UpdateInjection();
+  this->UpdateInjection(true);
   this->MarkProps(true);
   for (vtkProp* prop : my.Props)
   {

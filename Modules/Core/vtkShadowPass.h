@@ -198,7 +198,7 @@ protected:
    */
   virtual bool UpdateLightData(vtkShadowFrame& frame) = 0;
   /**
-   * GLSL that defines `SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionWC, vec3 normalWC)`
+   * GLSL that defines `SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionVC, vec3 normalVC)`
    * with what vtkShadowLightsFS.glsl declares, counting what it spends in shadowCost. Empty for a
    * technique that fills the buffer itself.
    */
@@ -267,7 +267,7 @@ private:
   bool PrepareShadows(vtkRenderer* renderer);
   void EvaluateVisibility();
   void RenderReceivers();
-  void UpdateInjection();
+  void UpdateInjection(bool writesReceivers);
   void MarkProps(bool mark);
   void RenderDelegate(const vtkRenderState* s);
   void DrawDebug();

@@ -12,6 +12,7 @@
 #include "vtkShadowCasters.h"
 #include "vtkShadowFrame.h"
 #include "vtkShadowGL.h"
+#include "vtkShadowInjection.h"
 #include "vtkShadowPass.h"
 #include "vtkShadowTechnique.h"
 #include "vtkSmartPointer.h"
@@ -26,9 +27,8 @@
 class vtkShadowPass::Internals
 {
 public:
-  /** Limits of the GLSL's uniform arrays. */
+  /** As many as uniforms are sure to hold. */
   static constexpr int MaximumLights = 16;
-  static constexpr int MaximumSlots = 32;
 
   // Settings.
   const vtkShadowTechnique* Technique = nullptr;
@@ -48,7 +48,7 @@ public:
   bool Active = false;                 // shadows are drawn in this frame
   bool BufferValid = false;            // the buffer holds the last frame
   bool ScreenSpace = false;
-  int Mode = 0; // shadowMode of the injected code
+  bool WritesReceivers = false; // what is drawn now fills the receivers' buffer
   int Size[2] = { 0, 0 };
   std::vector<vtkProp*> Props;  // what survived culling
   std::vector<vtkProp*> Marked; // these and their parts, while they carry the pass's key
@@ -57,7 +57,7 @@ public:
   unsigned long Frames = 0;
 
   // What is injected; a change makes the mappers build their shaders anew.
-  std::string Declarations;
+  vtkShadowInjection::Code Injected;
   vtkTimeStamp StageTime;
 
   // Release when removed: see vtkShadowPass::ReleaseWhenRemoved.

@@ -52,7 +52,7 @@ bool vtkDepthMapShadowPass::UpdateMaps(vtkShadowFrame& frame, int samples, doubl
 //------------------------------------------------------------------------------
 std::string vtkDepthMapShadowPass::GetVisibilityGLSL()
 {
-  return vtkShadowMapsFS;
+  return this->Maps->GetDefinitions() + vtkShadowMapsFS;
 }
 
 //------------------------------------------------------------------------------

@@ -15,7 +15,10 @@
 
 namespace
 {
-constexpr int MaximumLights = 16; // as SHADOW_MAX_LIGHTS
+constexpr std::size_t MaximumLights = 16; // of vtkShadowPass
+
+/** So many views are uniforms, and the shader's loops over them constant. */
+constexpr int MostFewViews = 12;
 
 /** A map's border that stays clear of casters, in texels: look-ups there find light. */
 constexpr double BorderTexels = 2.0;
@@ -106,7 +109,7 @@ bool vtkShadowMaps::Update(vtkShadowFrame& frame, const Settings& settings)
     this->BatchFirst = this->BatchCount = 0;
     this->Maps.Release(frame.Window);
     this->Maps.Allocate(frame.Window, vtkShadowTexture::Format::Depth, 1, 1, 1);
-    this->UploadViews(frame);
+    this->Few = true;
     return true;
   }
 
@@ -132,10 +135,13 @@ bool vtkShadowMaps::Update(vtkShadowFrame& frame, const Settings& settings)
       settings.Bilinear ? vtkShadowTexture::Sampling::CompareLinear
                         : vtkShadowTexture::Sampling::CompareNearest);
   }
-  if (all || fresh || std::find(changed.begin(), changed.end(), true) != changed.end())
+  this->Few = total <= MostFewViews;
+  if (this->Few)
   {
-    this->UploadViews(frame);
+    this->ViewBuffer.Release(frame.Window);
   }
+  this->UpdateViewVectors(
+    frame, all || fresh || std::find(changed.begin(), changed.end(), true) != changed.end());
   this->BatchFirst = 0;
   this->BatchCount = this->BatchSize;
   if (this->AreResident())
@@ -206,37 +212,66 @@ void vtkShadowMaps::Draw(vtkShadowFrame& frame, int first, int count)
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowMaps::UploadViews(vtkShadowFrame& frame)
+void vtkShadowMaps::UpdateViewVectors(vtkShadowFrame& frame, bool changed)
 {
+  if (!changed && frame.VCToWC == this->VCToWC)
+  {
+    return;
+  }
+  this->VCToWC = frame.VCToWC;
   // Half a texel around a point for one compare; a whole one for the four nearest.
   const double reach = (this->Current.Bilinear ? 1.0 : 0.5) / this->Current.Resolution;
   const glm::dmat4 toUnit =
     glm::scale(glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)), glm::dvec3(0.5));
-  std::vector<glm::vec4> texels;
-  texels.reserve(7 * this->Views.size());
+  const glm::dmat4 WCToVC = frame.GetWCToVC();
+  this->ViewVectors.clear();
+  this->ViewVectors.reserve(7 * this->Views.size());
   for (const auto& view : this->Views)
   {
-    const glm::dmat4 rows = glm::transpose(toUnit * view.Frustum.WCToClip);
+    const glm::dmat4 rows = glm::transpose(toUnit * view.Frustum.WCToClip * frame.VCToWC);
     for (int r = 0; r < 4; ++r)
     {
-      texels.emplace_back(rows[r]);
+      this->ViewVectors.emplace_back(rows[r]);
     }
-    texels.emplace_back(glm::dvec4(view.Frustum.WindowX * reach, view.Frustum.Place.x));
-    texels.emplace_back(glm::dvec4(view.Frustum.WindowY * reach, view.Frustum.Place.y));
-    texels.emplace_back(glm::dvec4(view.Weight, view.Frustum.Place.z));
+    const bool directional = frame.Lights[view.Light].IsDirectional();
+    const glm::dvec4 place = WCToVC * glm::dvec4(view.Frustum.Place, directional ? 0.0 : 1.0);
+    const glm::dmat3 turn(WCToVC);
+    this->ViewVectors.emplace_back(glm::dvec4(turn * view.Frustum.WindowX * reach, place.x));
+    this->ViewVectors.emplace_back(glm::dvec4(turn * view.Frustum.WindowY * reach, place.y));
+    this->ViewVectors.emplace_back(glm::dvec4(view.Weight, place.z));
   }
-  if (texels.empty())
+  if (!this->Few)
   {
-    texels.resize(7);
+    this->ViewBuffer.UploadBuffer(frame.Window, this->ViewVectors);
   }
-  this->ViewBuffer.UploadBuffer(frame.Window, texels);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkShadowMaps::GetDefinitions() const
+{
+  if (!this->Few)
+  {
+    return "";
+  }
+  std::string first;
+  std::string count;
+  for (const auto& light : this->Lights)
+  {
+    first += (first.empty() ? "" : ", ") + std::to_string(light.First);
+    count += (count.empty() ? "" : ", ") + std::to_string(light.Count);
+  }
+  return "#define SHADOW_FEW_VIEWS " + std::to_string(std::max(1, this->GetNumberOfViews())) +
+    "\n#define SHADOW_FIRST_VIEWS " + first + "\n#define SHADOW_VIEW_COUNTS " + count + "\n";
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowMaps::Activate(vtkShadowFrame& frame)
 {
   this->Maps.Activate(frame.Window);
-  this->ViewBuffer.Activate(frame.Window);
+  if (!this->Few)
+  {
+    this->ViewBuffer.Activate(frame.Window);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -249,6 +284,16 @@ void vtkShadowMaps::Deactivate(vtkShadowFrame& frame)
 //------------------------------------------------------------------------------
 void vtkShadowMaps::SetParameters(vtkShaderProgram* program)
 {
+  program->SetUniformi("shadowMaps", this->Maps.GetUnit());
+  if (this->Few)
+  {
+    if (!this->ViewVectors.empty())
+    {
+      program->SetUniform4fv("shadowViews", static_cast<int>(this->ViewVectors.size()),
+        reinterpret_cast<const float(*)[4]>(this->ViewVectors.data()));
+    }
+    return;
+  }
   std::array<int, MaximumLights> first{};
   std::array<int, MaximumLights> count{};
   for (std::size_t i = 0; i < this->Lights.size(); ++i)
@@ -258,10 +303,10 @@ void vtkShadowMaps::SetParameters(vtkShaderProgram* program)
     const int last = std::min(state.First + state.Count, this->BatchFirst + this->BatchCount);
     count[i] = std::max(0, last - first[i]);
   }
-  program->SetUniform1iv("shadowFirstView", MaximumLights, first.data());
-  program->SetUniform1iv("shadowViewCount", MaximumLights, count.data());
+  const int lights = static_cast<int>(this->Lights.size());
+  program->SetUniform1iv("shadowFirstView", lights, first.data());
+  program->SetUniform1iv("shadowViewCount", lights, count.data());
   program->SetUniformi("shadowFirstLayer", this->BatchFirst);
-  program->SetUniformi("shadowMaps", this->Maps.GetUnit());
   program->SetUniformi("shadowViews", this->ViewBuffer.GetUnit());
 }
 

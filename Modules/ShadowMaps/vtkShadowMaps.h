@@ -2,7 +2,7 @@
 // texture and kept while light, casters and settings are unchanged.
 //
 //   maps    DEPTH_COMPONENT32F  resolution^2, a layer each view (4 bytes a texel)
-//   views   RGBA32F buffer      seven texels a view (see vtkShadowMapsFS.glsl)
+//   views   RGBA32F buffer      seven texels a view (see vtkShadowMapsFS.glsl), uniforms if few
 //
 // Where the layers do not fit into the memory allowed, the maps are drawn in batches, every frame.
 
@@ -15,6 +15,7 @@
 #include "vtkSoftShadowsShadowMapsModule.h" // For export macro
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 class vtkShaderProgram;
@@ -49,6 +50,8 @@ public:
 
   void Activate(vtkShadowFrame& frame);
   void Deactivate(vtkShadowFrame& frame);
+  /** `#define`s that vtkShadowMapsFS.glsl wants. */
+  std::string GetDefinitions() const;
   /** Uniforms of vtkShadowMapsFS.glsl. */
   void SetParameters(vtkShaderProgram* program);
 
@@ -75,7 +78,7 @@ private:
 
   std::vector<View> MakeViews(vtkShadowFrame& frame, int light, std::vector<int>& casters) const;
   void Draw(vtkShadowFrame& frame, int first, int count);
-  void UploadViews(vtkShadowFrame& frame);
+  void UpdateViewVectors(vtkShadowFrame& frame, bool changed);
 
   Settings Current;
   unsigned long CasterVersion = 0;
@@ -85,8 +88,11 @@ private:
   int BatchSize = 0;
   int BatchFirst = 0; // the view in layer 0
   int BatchCount = 0;
+  bool Few = false;                   // views are uniforms
+  std::vector<glm::vec4> ViewVectors; // of vtkShadowMapsFS.glsl, for the camera of this frame
+  glm::dmat4 VCToWC{ 0.0 };           // that camera
   vtkShadowTexture Maps;
-  vtkShadowTexture ViewBuffer;
+  vtkShadowTexture ViewBuffer; // where the views are no uniforms
   vtkShadowFramebuffer Framebuffer;
 };
 

@@ -7,7 +7,6 @@
 //SHADOW::Declarations
 
 uniform sampler2DArray shadowReceivers; // position in VC; w: packed normal, negative if not casting
-uniform mat4 shadowVCToWC;
 uniform int shadowLight;
 #ifdef SHADOW_OUTPUT_CHANGE
 uniform float shadowShare; // of the light that this part stands for
@@ -21,17 +20,15 @@ void main()
   SHADOW_VISIBILITY visibility = SHADOW_VISIBILITY(1.0);
   if (receiverVC.w != 0.0)
   {
-    vec3 positionWC = (shadowVCToWC * vec4(receiverVC.xyz, 1.0)).xyz;
-    vec3 normalWC = mat3(shadowVCToWC) * shadowUnpackNormal(abs(receiverVC.w));
+    vec3 normalVC = shadowUnpackNormal(abs(receiverVC.w));
     shadowSelf = receiverVC.w > 0.0;
-    shadowSetRounding(receiverVC.xyz, positionWC);
-    if (shadowFacesAway(shadowLight, positionWC, normalWC))
+    if (shadowFacesAway(shadowLight, receiverVC.xyz, normalVC))
     {
       visibility = SHADOW_VISIBILITY(1.0 - shadowShare);
     }
     else
     {
-      visibility = shadowVisibility(shadowLight, positionWC, normalWC);
+      visibility = shadowVisibility(shadowLight, receiverVC.xyz, normalVC);
     }
   }
 #ifdef SHADOW_OUTPUT_COST

@@ -1,18 +1,34 @@
-// Injected into each prop's fragment shader, before its lights: the factor of a light's colour.
+// Injected into each prop's fragment shader, before its lights.
 
-uniform int shadowMode;                          // 0 off, 1 shade, 2 write the receiver
-uniform bool shadowReceives;                     // this prop receives
-uniform bool shadowCasts;                        // this prop casts
-uniform bool shadowTranslucent;                  // this prop is not in the receivers' buffer
-uniform bool shadowParallel;                     // the camera's projection
-uniform int shadowLightOfSlot[SHADOW_MAX_SLOTS]; // of VTK's switched-on lights; -1 casts no shadow
-uniform float shadowAttenuation[SHADOW_MAX_LIGHTS];
-uniform mat4 shadowVCToWC;
+uniform bool shadowReceives; // this prop receives
+uniform bool shadowCasts;    // this prop casts
+uniform bool shadowParallel; // the camera's projection
+uniform float shadowUnit;    // about 1 / pixel footprint: products of small lengths do not underflow
+
+// The geometric normal, towards the viewer, from the position's derivatives. The fallback serves
+// lines and points, which have none.
+vec3 shadowGeometricNormal(vec3 positionVC, vec3 dx, vec3 dy, vec3 fallback)
+{
+  vec3 normal = cross(shadowUnit * dx, shadowUnit * dy);
+  float square = dot(normal, normal);
+  normal = square > 0.0 ? normal * inversesqrt(square) : fallback;
+  float towards = shadowParallel ? normal.z : -dot(normal, positionVC);
+  return towards < 0.0 ? -normal : normal;
+}
+
+#ifdef SHADOW_RECEIVERS
+#ifdef SHADOW_BUFFER
+uniform bool shadowWritesReceivers; // this draw fills the receivers' buffer; else it shades
+#else
+const bool shadowWritesReceivers = true;
+#endif
+#endif
 
 #ifdef SHADOW_BUFFER
+uniform bool shadowTranslucent; // this prop is not in the receivers' buffer
+uniform ivec2 shadowOrigin;     // of the viewport
 uniform sampler2DArray shadowReceivers;
 uniform sampler2DArray shadowBuffer;
-uniform ivec2 shadowOrigin; // of the viewport
 
 // The buffer's pixel that shows this surface: its own, or at an edge with several samples a pixel
 // the neighbour that is nearest to it. False where none is near, for translucent surfaces.
@@ -41,13 +57,12 @@ bool shadowFindPixel(vec3 positionVC, float footprint, out ivec2 pixel)
 }
 #endif
 
-SHADOW_VISIBILITY shadowFactor(int slot, vec3 positionVC, vec3 normalVC, float footprint)
+#if defined(SHADOW_BUFFER) || defined(SHADOW_FORWARD)
+uniform float shadowAttenuation[SHADOW_LIGHTS];
+
+// The factor of a light's colour.
+SHADOW_VISIBILITY shadowFactor(int light, vec3 positionVC, vec3 normalVC, float footprint)
 {
-  int light = shadowLightOfSlot[slot];
-  if (shadowMode != 1 || light < 0 || !shadowReceives)
-  {
-    return SHADOW_VISIBILITY(1.0);
-  }
   SHADOW_VISIBILITY visibility = SHADOW_VISIBILITY(1.0);
 #ifdef SHADOW_BUFFER
   ivec2 pixel;
@@ -55,32 +70,12 @@ SHADOW_VISIBILITY shadowFactor(int slot, vec3 positionVC, vec3 normalVC, float f
   {
     visibility = SHADOW_VISIBILITY(texelFetch(shadowBuffer, ivec3(pixel, light), 0));
   }
-#endif
-#ifdef SHADOW_FORWARD
-  vec3 positionWC = (shadowVCToWC * vec4(positionVC, 1.0)).xyz;
-  vec3 normalWC = mat3(shadowVCToWC) * normalVC;
+#else
   shadowSelf = shadowCasts;
-  shadowSetRounding(positionVC, positionWC);
-  if (shadowFacesAway(light, positionWC, normalWC))
-  {
-    visibility = SHADOW_VISIBILITY(0.0);
-  }
-  else
-  {
-    visibility = shadowVisibility(light, positionWC, normalWC);
-  }
+  visibility = shadowVisibility(light, positionVC, normalVC);
+  visibility = shadowFacesAway(light, positionVC, normalVC) ? SHADOW_VISIBILITY(0.0) : visibility;
 #endif
-  return 1.0 - shadowAttenuation[light] * (1.0 - visibility);
+  return shadowReceives ? 1.0 - shadowAttenuation[light] * (1.0 - visibility)
+                        : SHADOW_VISIBILITY(1.0);
 }
-
-// The geometric normal, towards the viewer, from the position's derivatives; scaled first, so that
-// small units do not underflow. The fallback serves lines and points.
-vec3 shadowGeometricNormal(vec3 positionVC, vec3 dx, vec3 dy, vec3 fallback)
-{
-  float scale = max(length(dx), length(dy));
-  vec3 normal = scale > 0.0 ? cross(dx / scale, dy / scale) : vec3(0.0);
-  float size = length(normal);
-  normal = size > 0.0 ? normal / size : fallback;
-  float towards = shadowParallel ? normal.z : -dot(normal, positionVC);
-  return towards < 0.0 ? -normal : normal;
-}
+#endif

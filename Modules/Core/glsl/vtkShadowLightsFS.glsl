@@ -1,40 +1,39 @@
 // The casting lights, and the packing of receivers: shared by the injected code and the evaluation
-// in screen space. Vectors end in their space: VC view, WC world axes with the casters' origin.
+// in screen space. Vectors end in their space: VC view, LC light (a map's texture coordinates).
 //
-// SHADOW_VISIBILITY is float, or vec3 where a light is textured.
+// SHADOW_LIGHTS is their number. SHADOW_VISIBILITY is float, or vec3 where a light is textured.
+// SHADOW_HARD is defined where a light counts as its centre.
 
-uniform vec4 shadowLightPlaceWC[SHADOW_MAX_LIGHTS]; // position, w 1; or direction to it, w 0
-uniform vec4 shadowLightUWC[SHADOW_MAX_LIGHTS];     // half axis; w: radius of a sphere, else 0
-uniform vec4 shadowLightVWC[SHADOW_MAX_LIGHTS];     // half axis; w: 1 for a rectangle, else 0
+uniform vec4 shadowLightPlaceVC[SHADOW_LIGHTS]; // position, w 1; or direction to it, w 0
+uniform vec4 shadowLightUVC[SHADOW_LIGHTS];     // half axis; w: radius of a sphere, else 0
+uniform vec4 shadowLightVVC[SHADOW_LIGHTS];     // half axis; w: 1 for a rectangle, else 0
+uniform float shadowLeastRounding;
 
 // The receiver's prop casts too: then its own surface hides what lies behind it.
 bool shadowSelf = true;
 
-// How far the receiver's position may be off: it was transformed and interpolated in 24-bit floats,
-// over triangles that may reach far out of the picture.
-float shadowRounding = 0.0;
-
-void shadowSetRounding(vec3 positionVC, vec3 positionWC)
-{
-  shadowRounding = (length(positionVC) + length(positionWC)) / 65536.0;
-}
-
 // What has been spent on this pixel: map reads, or rays.
 float shadowCost = 0.0;
 
-// The whole light lies behind the receiver's own surface.
-bool shadowFacesAway(int light, vec3 positionWC, vec3 normalWC)
+// How far the receiver's position may be off: it was transformed and interpolated in 24-bit floats,
+// over triangles that may reach far out of the picture.
+float shadowRounding(vec3 positionVC)
 {
-  if (!shadowSelf)
-  {
-    return false;
-  }
-  vec4 placeWC = shadowLightPlaceWC[light];
-  vec2 extent = abs(vec2(dot(normalWC, shadowLightUWC[light].xyz),
-    dot(normalWC, shadowLightVWC[light].xyz)));
-  float reach = shadowLightUWC[light].w > 0.0 ? shadowLightUWC[light].w
-    : (shadowLightVWC[light].w > 0.0 ? extent.x + extent.y : length(extent));
-  return dot(normalWC, placeWC.xyz - placeWC.w * positionWC) + reach <= 0.0;
+  return dot(abs(positionVC), vec3(1.0 / 65536.0)) + shadowLeastRounding;
+}
+
+// The whole light lies behind the receiver's own surface.
+bool shadowFacesAway(int light, vec3 positionVC, vec3 normalVC)
+{
+  vec4 placeVC = shadowLightPlaceVC[light];
+  float height = dot(normalVC, placeVC.xyz - placeVC.w * positionVC);
+#ifndef SHADOW_HARD
+  vec2 extent = abs(vec2(dot(normalVC, shadowLightUVC[light].xyz),
+    dot(normalVC, shadowLightVVC[light].xyz)));
+  height += shadowLightUVC[light].w > 0.0 ? shadowLightUVC[light].w
+    : (shadowLightVVC[light].w > 0.0 ? extent.x + extent.y : length(extent));
+#endif
+  return shadowSelf && height <= 0.0;
 }
 
 // Octahedral map of a unit normal to 2 x 12 bits, as an integer that a float holds exactly. 0 stays

@@ -1,0 +1,188 @@
+// map-hard beside VTK's own vtkShadowMapPass: same scenes, light, map resolution and run.
+//
+//   softshadowsHardBenchmark [size=700 [frames=21]]
+//
+// Prints, for each scene, the time that shadows add to a frame while the camera moves and while the
+// light moves (medians of interleaved frames, each ended by glFinish), and the error of the picture
+// against a ray-traced point light. The light is a spot, because VTK's pass takes nothing else.
+
+#include "vtkCamera.h"
+#include "vtkCameraPass.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkNew.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSequencePass.h"
+#include "vtkShadowMapBakerPass.h"
+#include "vtkShadowMapPass.h"
+#include "vtkShadowPass.h"
+#include "vtkShadowScenes.h"
+#include "vtkShadowTechniques.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+namespace
+{
+constexpr int Resolution = 1024;
+
+/** A scene in its own window, drawn in one way. */
+struct Contestant
+{
+  std::string Name;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkLight> Light;
+  std::vector<double> Camera; // milliseconds
+  std::vector<double> Moving;
+
+  Contestant(const std::string& name, const std::string& scene, int size, vtkRenderPass* pass)
+    : Name(name)
+  {
+    vtkShadowScenes::Build(scene, this->Renderer);
+    auto* area = vtkLight::SafeDownCast(this->Renderer->GetLights()->GetItemAsObject(0));
+    this->Light->SetPosition(area->GetPosition());
+    this->Light->SetFocalPoint(area->GetFocalPoint());
+    this->Light->PositionalOn();
+    this->Light->SetConeAngle(40.0);
+    this->Renderer->RemoveAllLights();
+    this->Renderer->AddLight(this->Light);
+    this->Window->SetOffScreenRendering(1);
+    this->Window->SetMultiSamples(0);
+    this->Window->SetSize(size, size);
+    this->Window->AddRenderer(this->Renderer);
+    this->Renderer->SetPass(pass);
+  }
+
+  double Frame()
+  {
+    const auto start = std::chrono::steady_clock::now();
+    this->Window->Render();
+    this->Window->WaitForCompletion();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+      .count();
+  }
+
+  std::vector<unsigned char> Picture()
+  {
+    vtkNew<vtkUnsignedCharArray> pixels;
+    const int* size = this->Window->GetSize();
+    this->Window->Render();
+    this->Window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
+    return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
+  }
+};
+
+vtkSmartPointer<vtkRenderPass> MakeVTKPass()
+{
+  vtkNew<vtkShadowMapPass> shadows;
+  shadows->GetShadowMapBakerPass()->SetResolution(Resolution);
+  vtkNew<vtkRenderPassCollection> passes;
+  passes->AddItem(shadows->GetShadowMapBakerPass());
+  passes->AddItem(shadows);
+  vtkNew<vtkSequencePass> sequence;
+  sequence->SetPasses(passes);
+  vtkNew<vtkCameraPass> camera;
+  camera->SetDelegatePass(sequence);
+  return camera.Get();
+}
+
+vtkSmartPointer<vtkRenderPass> MakePass(const char* technique, const char* key, int value)
+{
+  auto pass = vtk::TakeSmartPointer(vtkShadowTechniques::Create(technique));
+  pass->SetParameter(key, std::to_string(value));
+  return pass;
+}
+
+double Median(std::vector<double> values)
+{
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+double RMSE(const std::vector<unsigned char>& a, const std::vector<unsigned char>& b)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    const double difference = (a[i] - b[i]) / 255.0;
+    sum += difference * difference;
+  }
+  return std::sqrt(sum / a.size());
+}
+
+void Run(const std::string& scene, int size, int frames)
+{
+  Contestant none("no shadows", scene, size, nullptr);
+  const auto vtkPass = MakeVTKPass();
+  const auto ourPass = MakePass("map-hard", "resolution", Resolution);
+  const auto referencePass = MakePass("ray-traced", "samples", 1);
+  Contestant vtkOwn("vtkShadowMapPass", scene, size, vtkPass);
+  Contestant ours("map-hard", scene, size, ourPass);
+  Contestant reference("ray-traced", scene, size, referencePass);
+  Contestant* const timed[] = { &none, &vtkOwn, &ours };
+
+  const auto truth = reference.Picture();
+  std::printf("%s, %d x %d, map %d\n", scene.c_str(), size, size, Resolution);
+  for (Contestant* contestant : timed)
+  {
+    std::printf("  %-18s picture RMSE against a ray-traced point light %.4f\n",
+      contestant->Name.c_str(), RMSE(contestant->Picture(), truth));
+  }
+  for (int i = -3; i < frames; ++i)
+  {
+    for (Contestant* contestant : timed)
+    {
+      contestant->Renderer->GetActiveCamera()->Azimuth(i % 2 ? 1.0 : -1.0);
+      contestant->Renderer->ResetCameraClippingRange();
+      const double camera = contestant->Frame();
+      double position[3];
+      contestant->Light->GetPosition(position);
+      contestant->Light->SetPosition(position[0] + (i % 2 ? 0.01 : -0.01), position[1], position[2]);
+      const double moving = contestant->Frame();
+      if (i >= 0)
+      {
+        contestant->Camera.push_back(camera);
+        contestant->Moving.push_back(moving);
+      }
+    }
+  }
+  const double base[] = { Median(none.Camera), Median(none.Moving) };
+  double added[3][2];
+  for (int i = 0; i < 3; ++i)
+  {
+    added[i][0] = Median(timed[i]->Camera) - base[0];
+    added[i][1] = Median(timed[i]->Moving) - base[1];
+    std::printf("  %-18s camera moves %6.1f ms, added %6.1f; light moves %6.1f ms, added %6.1f\n",
+      timed[i]->Name.c_str(), Median(timed[i]->Camera), added[i][0], Median(timed[i]->Moving),
+      added[i][1]);
+  }
+  std::printf("  map-hard adds %.2f of VTK's when the camera moves, %.2f when the light moves\n",
+    added[2][0] / added[1][0], added[2][1] / added[1][1]);
+}
+}
+
+int main(int argc, char* argv[])
+{
+  const int size = argc > 1 ? std::atoi(argv[1]) : 700;
+  const int frames = argc > 2 ? std::atoi(argv[2]) : 21;
+  if (size < 16 || frames < 3)
+  {
+    std::fprintf(stderr, "usage: softshadowsHardBenchmark [size >= 16 [frames >= 3]]\n");
+    return 2;
+  }
+  for (const char* scene : { "basic", "huge" })
+  {
+    Run(scene, size, frames);
+  }
+  return 0;
+}
