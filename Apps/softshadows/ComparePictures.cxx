@@ -30,6 +30,18 @@ void Read(const std::string& path, vtkImageData* image)
   }
 }
 
+// Throws what the metrics have reported, with the files' names instead of theirs.
+void CheckMetrics(const std::string& path, const std::string& reference)
+{
+  const std::string error = Messages::TakeError();
+  if (!error.empty())
+  {
+    const bool named = error.rfind("Cannot compare", 0) == 0 && error.find(": ") < error.size();
+    throw Failure("cannot compare \"" + path + "\" with \"" + reference + "\": " +
+      (named ? error.substr(error.find(": ") + 2) : error) + ".");
+  }
+}
+
 bool IsVisibility(const std::string& path, vtkImageData* image)
 {
   return fs::path(path).extension() == ".exr" && image->GetNumberOfScalarComponents() == 1 &&
@@ -72,7 +84,7 @@ void ComparePictures(const CompareOptions& options)
   picture->SetImage(image);
   picture->SetReference(reference);
   picture->Update();
-  Messages::Check("cannot compare \"" + path + "\" with \"" + referencePath + "\"");
+  CheckMetrics(path, referencePath);
   const bool isVisibility = IsVisibility(path, image) && IsVisibility(referencePath, reference);
   vtkNew<vtkVisibilityMetrics> visibility;
   if (isVisibility)
@@ -80,7 +92,7 @@ void ComparePictures(const CompareOptions& options)
     visibility->SetImage(image);
     visibility->SetReference(reference);
     visibility->Update();
-    Messages::Check("cannot compare \"" + path + "\" with \"" + referencePath + "\"");
+    CheckMetrics(path, referencePath);
   }
   if (!options.Output.empty())
   {

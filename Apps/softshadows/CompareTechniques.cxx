@@ -38,7 +38,7 @@ struct Row
   vtkNew<vtkPictureMetrics> Picture;
   Image Frame;
   std::vector<double> Times;
-  double Bytes = 0.0;
+  unsigned long long Bytes = 0;
 };
 using Rows = std::vector<std::unique_ptr<Row>>;
 
@@ -286,7 +286,7 @@ void PrintTable(const CompareOptions& options, const Rows& rows, const Reference
     std::printf("%-20s %8.4f %8.4f %+8.4f %8.4f %8.4f %9.2f %8.2f %10.1f %9.2f\n", row->Name.c_str(),
       errors->GetRMSE(), errors->GetPenumbraRMSE(), errors->GetBias(), errors->GetP99(),
       errors->GetMaximum(), row->Picture->GetCorrectness(), row->Picture->GetPSNR(),
-      Statistics::GetMedian(row->Times) - plain, row->Bytes / (1024.0 * 1024.0));
+      Statistics::GetMedian(row->Times) - plain, static_cast<double>(row->Bytes) / (1024.0 * 1024.0));
   }
 }
 }

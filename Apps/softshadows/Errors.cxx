@@ -41,7 +41,7 @@ void Keep(const std::string& line)
 std::string Plain(const char* text)
 {
   static const std::regex place("^(ERROR|Warning|Generic Warning|Debug): In [^\n]*\n");
-  static const std::regex speaker("^(vtk\\w+ \\((0x[0-9a-f]+|nil|0)\\)|vtk\\w+): ");
+  static const std::regex speaker("^((vtk\\w+ \\(\\w+\\)|vtk\\w+|\\(nullptr\\)): )+");
   static const std::regex silent("^Algorithm vtk\\w+ ?\\(0x[0-9a-f]+\\) returned failure[^]*");
   static const std::regex space("\\s+");
   std::string plain = std::regex_replace(std::string(text ? text : ""), place, "");
@@ -96,7 +96,9 @@ void Install()
 //------------------------------------------------------------------------------
 void PrintError(const std::string& text)
 {
-  std::fprintf(stderr, "softshadows: error: %s\n", text.c_str());
+  // VTK's sentences have lost their full stops.
+  const bool ends = !text.empty() && text.find_last_of(".?!") == text.size() - 1;
+  std::fprintf(stderr, "softshadows: error: %s%s\n", text.c_str(), ends ? "" : ".");
 }
 
 //------------------------------------------------------------------------------

@@ -230,6 +230,12 @@ void Outputs::WritePicture(const fs::path& temporary, const std::string& name, v
     {
       reason = reason.substr(cannot.size());
     }
+    if (reason.find("could not find a format writer") != std::string::npos)
+    {
+      reason = temporary.has_extension()
+        ? "no kind of picture has the extension \"" + temporary.extension().string() + "\""
+        : "its name has no extension that tells the kind of picture";
+    }
     for (std::size_t at; (at = reason.find(temporary.string())) != std::string::npos;)
     {
       reason.replace(at, temporary.string().size(), name);

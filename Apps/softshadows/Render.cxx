@@ -51,8 +51,8 @@ vtkSmartPointer<vtkShadowPass> MakePass(const RenderOptions& options)
     }
     return nullptr;
   }
-  options.Parameters.CheckSettings({ options.Technique });
   auto pass = options.Parameters.Create(options.Technique, true);
+  options.Parameters.CheckSettings({ options.Technique });
   if (!options.DebugView.empty())
   {
     pass->SetDebugView(options.DebugView);

@@ -45,6 +45,33 @@ vtkIdType CountTriangles(vtkRenderer* renderer)
   return count;
 }
 
+// Failure for an unknown scene, or a number of triangles that it cannot have; 0 is its default.
+void CheckTriangles(const std::string& scene, int triangles)
+{
+  const std::string text = vtkShadowScenes::Describe(scene);
+  Messages::Check();
+  if (triangles == 0)
+  {
+    return;
+  }
+  const nlohmann::json description = nlohmann::json::parse(text);
+  for (const auto& parameter : description["parameters"])
+  {
+    if (parameter["name"] == "triangles")
+    {
+      const int least = parameter["min"];
+      const int most = parameter["max"];
+      if (triangles < least || triangles > most)
+      {
+        throw Failure("--triangles of scene " + scene + " is from " + std::to_string(least) + " to " +
+          std::to_string(most) + ", not " + std::to_string(triangles) + ".");
+      }
+      return;
+    }
+  }
+  throw Failure("scene " + scene + " cannot be told its number of triangles.");
+}
+
 vtkAreaLight* FindLight(vtkRenderer* renderer)
 {
   vtkLightCollection* lights = renderer->GetLights();
@@ -128,10 +155,9 @@ void SceneOptions::Check() const
   }
   if (!this->Builtin.empty())
   {
-    vtkShadowScenes::Describe(this->Builtin);
-    Messages::Check();
+    CheckTriangles(this->Builtin, this->Triangles);
   }
-  if (this->Triangles != 0 && this->Builtin.empty())
+  else if (this->Triangles != 0)
   {
     throw WrongUsage("--triangles goes with --scene plant.");
   }

@@ -28,7 +28,7 @@ int main(int argc, char* argv[])
   CLI::App app("Soft shadows for VTK: draw models and scenes, and measure the techniques.",
     "softshadows");
   app.set_version_flag("--version", "softshadows " SOFTSHADOWS_VERSION);
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1); // that there must be one is said below
   app.get_formatter()->column_width(30);
   DeclareList(app);
   DeclareRender(app);
@@ -37,6 +37,10 @@ int main(int argc, char* argv[])
   try
   {
     app.parse(argc, argv); // runs the subcommand
+    if (app.get_subcommands().empty())
+    {
+      throw CLI::RequiredError("a subcommand (list, render, compare)");
+    }
     Messages::Check();
     Messages::ShowWarnings();
   }

@@ -104,14 +104,14 @@ void vtkShadowInjection::Fill(std::string& source, const Code& code)
   const bool imposter = source.find("gl_FragDepth =") != std::string::npos;
   std::string body = imposter
     ? "vec3 shadowNormalVC = normalVCVSOutput;\n"
-    : "vec3 shadowNormalVC = shadowGeometricNormal("
-      "vertexVC.xyz, shadowDxVC, shadowDyVC, normalVCVSOutput);\n";
+    : "vec3 shadowNormalVC = shadowGeometricNormal(shadowDxVC, shadowDyVC);\n";
   if (code.Receivers)
   {
     body += "  if (shadowWritesReceivers)\n"
             "  {\n"
             "    gl_FragData[0] = vec4(vertexVC.xyz, !shadowReceives ? 0.0 :\n"
-            "      (shadowCasts ? 1.0 : -1.0) * shadowPackNormal(shadowNormalVC));\n"
+            "      (shadowCasts ? 1.0 : -1.0) * shadowPackNormal("
+            "shadowNormalVC == vec3(0.0) ? normalVCVSOutput : shadowNormalVC));\n"
             "    return;\n"
             "  }\n";
   }
@@ -254,7 +254,15 @@ bool vtkShadowPass::SetShaderParameters(
   {
     return true;
   }
-  program->SetUniformi("shadowReceives", vtkShadowPass::GetReceiving(prop));
+  const bool receives = vtkShadowPass::GetReceiving(prop);
+  std::array<float, Internals::MaximumLights> attenuation{};
+  for (std::size_t i = 0; receives && i < my.Frame.Lights.size(); ++i)
+  {
+    attenuation[i] = static_cast<float>(my.Frame.Lights[i].Attenuation);
+  }
+  program->SetUniform1fv("shadowAttenuation",
+    std::max(1, static_cast<int>(my.Frame.Lights.size())), attenuation.data());
+  program->SetUniformi("shadowReceives", receives);
   program->SetUniformi("shadowCasts", vtkShadowPass::GetCasting(prop));
   if (my.ScreenSpace)
   {
@@ -266,19 +274,12 @@ bool vtkShadowPass::SetShaderParameters(
   {
     return true;
   }
-  std::array<float, Internals::MaximumLights> attenuation{};
-  for (std::size_t i = 0; i < my.Frame.Lights.size(); ++i)
-  {
-    attenuation[i] = static_cast<float>(my.Frame.Lights[i].Attenuation);
-  }
-  program->SetUniform1fv("shadowAttenuation",
-    std::max(1, static_cast<int>(my.Frame.Lights.size())), attenuation.data());
   vtkCamera* camera = my.Renderer->GetActiveCamera();
-  program->SetUniformi("shadowParallel", camera->GetParallelProjection());
   // Anything of the magnitude of a pixel at the focal point does.
   const double height = camera->GetParallelProjection() ? camera->GetParallelScale()
                                                         : camera->GetDistance();
-  program->SetUniformf("shadowUnit", static_cast<float>(500.0 / height));
+  const bool mirrors = glm::determinant(glm::dmat3(my.Frame.VCToWC)) < 0.0;
+  program->SetUniformf("shadowUnit", static_cast<float>((mirrors ? -500.0 : 500.0) / height));
   my.SetLights(program);
   if (my.WritesReceivers)
   {

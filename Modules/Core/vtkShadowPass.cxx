@@ -167,7 +167,9 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
   const glm::dmat4 worldToVC = glm::transpose(
     glm::make_mat4(renderer->GetActiveCamera()->GetModelViewTransformMatrix()->GetData()));
   frame.VCToWC = glm::translate(glm::dmat4(1.0), -my.Casters.GetOrigin()) * glm::inverse(worldToVC);
-  frame.LeastRounding = my.Casters.GetSize() / 4194304.0;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  frame.LeastRounding = my.Casters.GetSize() / 4194304.0 +
+    (camera->GetParallelProjection() ? camera->GetParallelScale() / 65536.0 : 0.0);
   int origin[2];
   renderer->GetTiledSizeAndOrigin(&my.Size[0], &my.Size[1], &origin[0], &origin[1]);
   if (my.Size[0] <= 0 || my.Size[1] <= 0)

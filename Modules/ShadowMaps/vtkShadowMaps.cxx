@@ -17,6 +17,9 @@ namespace
 {
 constexpr std::size_t MaximumLights = 16; // of vtkShadowPass
 
+/** Rounding of a 32-bit depth in the rasterizer, as a share of the map's depth range. */
+constexpr double DepthRounding = 1.0 / 1048576.0;
+
 /** So many views are uniforms, and the shader's loops over them constant. */
 constexpr int MostFewViews = 12;
 
@@ -228,7 +231,8 @@ void vtkShadowMaps::UpdateViewVectors(vtkShadowFrame& frame, bool changed)
   this->ViewVectors.reserve(7 * this->Views.size());
   for (const auto& view : this->Views)
   {
-    const glm::dmat4 rows = glm::transpose(toUnit * view.Frustum.WCToClip * frame.VCToWC);
+    glm::dmat4 rows = glm::transpose(toUnit * view.Frustum.WCToClip * frame.VCToWC);
+    rows[2] -= DepthRounding * rows[3];
     for (int r = 0; r < 4; ++r)
     {
       this->ViewVectors.emplace_back(rows[r]);

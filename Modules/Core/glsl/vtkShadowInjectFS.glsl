@@ -1,22 +1,19 @@
 // Injected into each prop's fragment shader, before its lights.
 
-uniform bool shadowReceives; // this prop receives
-uniform bool shadowCasts;    // this prop casts
-uniform bool shadowParallel; // the camera's projection
-uniform float shadowUnit;    // about 1 / pixel footprint: products of small lengths do not underflow
+uniform bool shadowCasts; // this prop casts
+uniform float shadowUnit;    // about 1 / pixel footprint; negative under a mirroring camera
 
-// The geometric normal, towards the viewer, from the position's derivatives. The fallback serves
-// lines and points, which have none.
-vec3 shadowGeometricNormal(vec3 positionVC, vec3 dx, vec3 dy, vec3 fallback)
+// The geometric normal from the position's derivatives along the picture's x and y: it points to the
+// viewer by itself. Scaled, so that the lengths of small units do not underflow. The zero vector
+// where there is none, on lines and points.
+vec3 shadowGeometricNormal(vec3 dx, vec3 dy)
 {
-  vec3 normal = cross(shadowUnit * dx, shadowUnit * dy);
-  float square = dot(normal, normal);
-  normal = square > 0.0 ? normal * inversesqrt(square) : fallback;
-  float towards = shadowParallel ? normal.z : -dot(normal, positionVC);
-  return towards < 0.0 ? -normal : normal;
+  vec3 normal = cross(shadowUnit * dx, dy);
+  return normal * inversesqrt(max(dot(normal, normal), 1e-37));
 }
 
 #ifdef SHADOW_RECEIVERS
+uniform bool shadowReceives; // this prop receives
 #ifdef SHADOW_BUFFER
 uniform bool shadowWritesReceivers; // this draw fills the receivers' buffer; else it shades
 #else
@@ -58,7 +55,7 @@ bool shadowFindPixel(vec3 positionVC, float footprint, out ivec2 pixel)
 #endif
 
 #if defined(SHADOW_BUFFER) || defined(SHADOW_FORWARD)
-uniform float shadowAttenuation[SHADOW_LIGHTS];
+uniform float shadowAttenuation[SHADOW_LIGHTS]; // 0 on a prop that does not receive
 
 // The factor of a light's colour.
 SHADOW_VISIBILITY shadowFactor(int light, vec3 positionVC, vec3 normalVC, float footprint)
@@ -75,7 +72,6 @@ SHADOW_VISIBILITY shadowFactor(int light, vec3 positionVC, vec3 normalVC, float 
   visibility = shadowVisibility(light, positionVC, normalVC);
   visibility = shadowFacesAway(light, positionVC, normalVC) ? SHADOW_VISIBILITY(0.0) : visibility;
 #endif
-  return shadowReceives ? 1.0 - shadowAttenuation[light] * (1.0 - visibility)
-                        : SHADOW_VISIBILITY(1.0);
+  return 1.0 - shadowAttenuation[light] * (1.0 - visibility);
 }
 #endif

@@ -16,10 +16,10 @@ bool shadowSelf = true;
 float shadowCost = 0.0;
 
 // How far the receiver's position may be off: it was transformed and interpolated in 24-bit floats,
-// over triangles that may reach far out of the picture.
+// over triangles that may reach far out of the picture. The depth stands for the distance.
 float shadowRounding(vec3 positionVC)
 {
-  return dot(abs(positionVC), vec3(1.0 / 65536.0)) + shadowLeastRounding;
+  return abs(positionVC.z) * (1.0 / 65536.0) + shadowLeastRounding;
 }
 
 // The whole light lies behind the receiver's own surface.
@@ -33,7 +33,7 @@ bool shadowFacesAway(int light, vec3 positionVC, vec3 normalVC)
   height += shadowLightUVC[light].w > 0.0 ? shadowLightUVC[light].w
     : (shadowLightVVC[light].w > 0.0 ? extent.x + extent.y : length(extent));
 #endif
-  return shadowSelf && height <= 0.0;
+  return shadowSelf && height < 0.0;
 }
 
 // Octahedral map of a unit normal to 2 x 12 bits, as an integer that a float holds exactly. 0 stays

@@ -22,12 +22,9 @@ uniform int shadowFirstLayer; // the view that layer 0 holds
 #define SHADOW_VIEW(i) texelFetch(shadowViews, i)
 #endif
 
-// Rounding of a 32-bit depth in the rasterizer.
-const float shadowDepthRounding = 1.0 / 1048576.0;
-
 SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionVC, vec3 normalVC)
 {
-  SHADOW_VISIBILITY occluded = SHADOW_VISIBILITY(0.0);
+  SHADOW_VISIBILITY visibility = SHADOW_VISIBILITY(1.0);
   float rounding = shadowRounding(positionVC);
   int last = shadowFirstView[light] + shadowViewCount[light];
   for (int view = shadowFirstView[light]; view < last; ++view)
@@ -45,22 +42,24 @@ SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionVC, vec3 normalVC)
     float rise = abs(dot(normalVC, texelX.xyz)) + abs(dot(normalVC, texelY.xyz));
     vec4 receiverVC = vec4(positionVC + (rise * w + rounding) * normalVC, 1.0);
 
-    w = dot(rowW, receiverVC);
+    // Behind the light, w is negative: the quotient of a tiny one lies far outside of the map. There
+    // is no caster there: the texture's border is light. Behind the far plane, all are in front.
+    w = max(dot(rowW, receiverVC), 1e-30);
     vec3 receiverLC = vec3(dot(SHADOW_VIEW(7 * view), receiverVC),
       dot(SHADOW_VIEW(7 * view + 1), receiverVC), dot(SHADOW_VIEW(7 * view + 2), receiverVC)) / w;
-    // Outside of a map there is no caster; behind its far plane, all of them are in front.
-    vec2 inside = step(abs(receiverLC.xy - 0.5), vec2(0.5));
-    float lit = texture(shadowMaps, vec4(receiverLC.xy, float(view - shadowFirstLayer),
-      min(receiverLC.z, 1.0) - shadowDepthRounding));
-#ifndef SHADOW_HARD
+    float lit = texture(shadowMaps,
+      vec4(receiverLC.xy, float(view - shadowFirstLayer), min(receiverLC.z, 1.0)));
+#ifdef SHADOW_HARD
+    visibility = min(visibility, SHADOW_VISIBILITY(lit));
+#else
     // Below the receiver's horizon lies its own surface, which the map cannot tell from it.
     vec3 placeVC = vec3(texelX.w, texelY.w, weight.w);
     vec3 towardsVC = rowW.xyz == vec3(0.0) ? placeVC : placeVC - positionVC;
-    lit = shadowSelf && dot(normalVC, towardsVC) <= 0.0 ? 0.0 : lit;
+    bool own = shadowSelf && dot(normalVC, towardsVC) < 0.0 &&
+      all(lessThan(abs(receiverLC.xy - 0.5), vec2(0.5)));
+    visibility -= SHADOW_VISIBILITY(weight) * (own ? 1.0 : 1.0 - lit);
 #endif
-    float dark = w > 0.0 ? inside.x * inside.y * (1.0 - lit) : 0.0;
-    occluded += SHADOW_VISIBILITY(weight) * dark;
     shadowCost += 1.0;
   }
-  return clamp(1.0 - occluded, 0.0, 1.0);
+  return max(visibility, 0.0);
 }
