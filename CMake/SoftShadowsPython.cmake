@@ -8,13 +8,13 @@ if (NOT BUILD_SHARED_LIBS)
     "package that cannot import itself")
 endif ()
 
-set(softshadows_python_dir "lib/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/site-packages")
 vtk_module_wrap_python(
   MODULES ${softshadows_modules}
   TARGET SoftShadows::Python
   INSTALL_EXPORT VTKSoftShadows
   PYTHON_PACKAGE "vtksoftshadows"
   MODULE_DESTINATION "lib/python"
+  LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/VTKSoftShadows"
   BUILD_STATIC OFF
   INSTALL_HEADERS OFF)

@@ -18,9 +18,8 @@ void CheckPictureOptions(const CLI::App& command)
   static const char* const used[] = { "MODEL", "--output", "--json" };
   for (const CLI::Option* option : command.get_options())
   {
-    if (option->count() > 0 &&
-      std::none_of(std::begin(used), std::end(used),
-        [&](const char* name) { return option->check_name(name); }))
+    if (option->count() > 0 && std::none_of(std::begin(used), std::end(used),
+                                 [&](const char* name) { return option->check_name(name); }))
     {
       throw WrongUsage(option->get_name() + " has no meaning for two pictures.");
     }
@@ -54,8 +53,7 @@ void DeclareCompare(CLI::App& app)
     "or a picture against another: softshadows compare PICTURE REFERENCE");
   auto options = std::make_shared<CompareOptions>();
   options->Scene.Declare(*command);
-  command
-    ->add_option("--techniques", options->Techniques, "Which techniques (default: all)")
+  command->add_option("--techniques", options->Techniques, "Which techniques (default: all)")
     ->type_name("A,B,...")
     ->group("Technique");
   options->Parameters.Declare(*command);

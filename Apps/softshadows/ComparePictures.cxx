@@ -37,15 +37,15 @@ void CheckMetrics(const std::string& path, const std::string& reference)
   if (!error.empty())
   {
     const bool named = error.rfind("Cannot compare", 0) == 0 && error.find(": ") < error.size();
-    throw Failure("cannot compare \"" + path + "\" with \"" + reference + "\": " +
-      (named ? error.substr(error.find(": ") + 2) : error) + ".");
+    throw Failure("cannot compare \"" + path + "\" with \"" + reference +
+                  "\": " + (named ? error.substr(error.find(": ") + 2) : error) + ".");
   }
 }
 
 bool IsVisibility(const std::string& path, vtkImageData* image)
 {
   return fs::path(path).extension() == ".exr" && image->GetNumberOfScalarComponents() == 1 &&
-    image->GetScalarType() == VTK_FLOAT;
+         image->GetScalarType() == VTK_FLOAT;
 }
 }
 
@@ -69,7 +69,7 @@ void ComparePictures(const CompareOptions& options)
   {
     std::error_code ignored;
     if (fs::equivalent(options.Output, path, ignored) ||
-      fs::equivalent(options.Output, referencePath, ignored))
+        fs::equivalent(options.Output, referencePath, ignored))
     {
       throw WrongUsage("\"" + options.Output + "\" is one of the pictures that are compared.");
     }
@@ -114,8 +114,8 @@ void ComparePictures(const CompareOptions& options)
     return;
   }
   std::printf("correct %.3f %%, RMSE %.6f, ", picture->GetCorrectness(), picture->GetRMSE());
-  std::printf(std::isinf(picture->GetPSNR()) ? "PSNR infinite, " : "PSNR %.2f dB, ",
-    picture->GetPSNR());
+  std::printf(
+    std::isinf(picture->GetPSNR()) ? "PSNR infinite, " : "PSNR %.2f dB, ", picture->GetPSNR());
   std::printf("max %.6f over %lld pixels\n", picture->GetMaximum(),
     static_cast<long long>(picture->GetNumberOfPixels()));
   if (isVisibility)

@@ -95,8 +95,9 @@ vtkSmartPointer<vtkShadowPass> MakeReference(int samples)
   const auto known = Techniques::GetNames();
   if (std::find(known.begin(), known.end(), ReferenceTechnique) == known.end())
   {
-    throw Failure("this build has no reference to compare with: the technique ray-traced is missing "
-                  "(SOFTSHADOWS_RAY_TRACING).");
+    throw Failure(
+      "this build has no reference to compare with: the technique ray-traced is missing "
+      "(SOFTSHADOWS_RAY_TRACING).");
   }
   auto pass = TechniqueOptions().Create(ReferenceTechnique, true);
   pass->SetParameter("samples", std::to_string(samples));
@@ -211,7 +212,8 @@ void Time(Rows& rows, OffscreenWindow& window, int frames)
 
 //------------------------------------------------------------------------------
 // After everything else: the difference images belong to the metrics.
-void Stage(const CompareOptions& options, const Rows& rows, const Reference& reference, Outputs& outputs)
+void Stage(
+  const CompareOptions& options, const Rows& rows, const Reference& reference, Outputs& outputs)
 {
   const std::string folder = options.Output + "/";
   outputs.StagePicture(folder + "reference.png", reference.Frame);
@@ -227,15 +229,14 @@ void Stage(const CompareOptions& options, const Rows& rows, const Reference& ref
 }
 
 //------------------------------------------------------------------------------
-Json GetJSON(const CompareOptions& options, const Rows& rows, const Reference& reference,
-  const Scene& scene)
+Json GetJSON(
+  const CompareOptions& options, const Rows& rows, const Reference& reference, const Scene& scene)
 {
   const double plain = Statistics::GetMedian(rows.front()->Times);
   Json json = { { "scene", scene.GetJSON() }, { "size", options.Scene.Size },
     { "frames", options.Frames },
-    { "reference",
-      { { "technique", ReferenceTechnique }, { "samples", options.ReferenceSamples },
-        { "milliseconds", reference.Milliseconds } } },
+    { "reference", { { "technique", ReferenceTechnique }, { "samples", options.ReferenceSamples },
+                     { "milliseconds", reference.Milliseconds } } },
     { "unshadowed_milliseconds", plain }, { "techniques", Json::array() } };
   for (const auto& row : rows)
   {
@@ -264,8 +265,8 @@ Json GetJSON(const CompareOptions& options, const Rows& rows, const Reference& r
 }
 
 //------------------------------------------------------------------------------
-void PrintTable(const CompareOptions& options, const Rows& rows, const Reference& reference,
-  const Scene& scene)
+void PrintTable(
+  const CompareOptions& options, const Rows& rows, const Reference& reference, const Scene& scene)
 {
   const double plain = Statistics::GetMedian(rows.front()->Times);
   std::printf("%s: %lld triangles, %s light, %dx%d; reference: %d rays a pixel, %.0f ms; "
@@ -273,8 +274,8 @@ void PrintTable(const CompareOptions& options, const Rows& rows, const Reference
     scene.Name.c_str(), static_cast<long long>(scene.Triangles), GetShapeName(scene.Light).c_str(),
     options.Scene.Size[0], options.Scene.Size[1], options.ReferenceSamples, reference.Milliseconds,
     plain);
-  std::printf("%-20s %8s %8s %8s %8s %8s %9s %8s %10s %9s\n", "technique", "RMSE", "penumbra", "bias",
-    "P99", "max", "correct%", "PSNR", "added ms", "MiB");
+  std::printf("%-20s %8s %8s %8s %8s %8s %9s %8s %10s %9s\n", "technique", "RMSE", "penumbra",
+    "bias", "P99", "max", "correct%", "PSNR", "added ms", "MiB");
   for (const auto& row : rows)
   {
     if (!row->Note.empty())
@@ -283,10 +284,11 @@ void PrintTable(const CompareOptions& options, const Rows& rows, const Reference
       continue;
     }
     const auto& errors = row->Visibility;
-    std::printf("%-20s %8.4f %8.4f %+8.4f %8.4f %8.4f %9.2f %8.2f %10.1f %9.2f\n", row->Name.c_str(),
-      errors->GetRMSE(), errors->GetPenumbraRMSE(), errors->GetBias(), errors->GetP99(),
-      errors->GetMaximum(), row->Picture->GetCorrectness(), row->Picture->GetPSNR(),
-      Statistics::GetMedian(row->Times) - plain, static_cast<double>(row->Bytes) / (1024.0 * 1024.0));
+    std::printf("%-20s %8.4f %8.4f %+8.4f %8.4f %8.4f %9.2f %8.2f %10.1f %9.2f\n",
+      row->Name.c_str(), errors->GetRMSE(), errors->GetPenumbraRMSE(), errors->GetBias(),
+      errors->GetP99(), errors->GetMaximum(), row->Picture->GetCorrectness(),
+      row->Picture->GetPSNR(), Statistics::GetMedian(row->Times) - plain,
+      static_cast<double>(row->Bytes) / (1024.0 * 1024.0));
   }
 }
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <mutex>
 #include <regex>
 #include <vector>
@@ -69,9 +70,16 @@ public:
   void DisplayText(const char*) override {}
   void DisplayErrorText(const char* text) override
   {
+    const std::string error = Plain(text);
+    if (error.find("Aborting") != std::string::npos)
+    {
+      // VTK's X window calls abort() next; nobody would ever see why.
+      Messages::PrintError(error);
+      std::_Exit(1);
+    }
     Store& store = GetStore();
     const std::lock_guard<std::mutex> lock(store.Mutex);
-    store.Errors.push_back(Plain(text));
+    store.Errors.push_back(error);
   }
   void DisplayWarningText(const char* text) override { Messages::Warn(Plain(text)); }
   void DisplayGenericWarningText(const char* text) override { Messages::Warn(Plain(text)); }

@@ -41,9 +41,10 @@ double GetArea(vtkAreaLight* light)
     return light->GetWidth() * light->GetHeight();
   }
   const double radius = shape == "point" ? 0.0
-    : shape == "directional"
-    ? GetDistance(light) * std::tan(vtkMath::RadiansFromDegrees(0.5 * light->GetAngularDiameter()))
-    : light->GetRadius();
+                        : shape == "directional"
+                          ? GetDistance(light) * std::tan(vtkMath::RadiansFromDegrees(
+                                                   0.5 * light->GetAngularDiameter()))
+                          : light->GetRadius();
   return vtkMath::Pi() * radius * radius;
 }
 
@@ -87,21 +88,20 @@ std::string GetShapeName(vtkAreaLight* light)
 //------------------------------------------------------------------------------
 void LightOptions::Declare(CLI::App& command)
 {
-  const auto number = [&](const char* name, std::optional<double>& value, const char* meaning) {
-    command.add_option(name, value, meaning)->type_name("X")->group("Light");
-  };
-  command
-    .add_option("--light-shape", this->Shape, "point, sphere, disk, rectangle or directional")
+  const auto number = [&](const char* name, std::optional<double>& value, const char* meaning)
+  { command.add_option(name, value, meaning)->type_name("X")->group("Light"); };
+  command.add_option("--light-shape", this->Shape, "point, sphere, disk, rectangle or directional")
     ->type_name("SHAPE")
     ->group("Light");
   number("--light-radius", this->Radius, "Of a sphere or disk, in units of the scene");
   number("--light-width", this->Width, "Of a rectangle");
   number("--light-height", this->Height, "Of a rectangle");
-  number("--light-angle", this->Angle, "Diameter of a directional light, in degrees (the sun: 0.53)");
+  number(
+    "--light-angle", this->Angle, "Diameter of a directional light, in degrees (the sun: 0.53)");
   Values::AddTriple(command, "--light-position", this->Position, "X,Y,Z", "Where the light is")
     ->group("Light");
-  Values::AddTriple(
-    command, "--light-target", this->Target, "X,Y,Z", "What it faces; of a directional light the way")
+  Values::AddTriple(command, "--light-target", this->Target, "X,Y,Z",
+    "What it faces; of a directional light the way")
     ->group("Light");
 }
 
@@ -109,10 +109,10 @@ void LightOptions::Declare(CLI::App& command)
 void LightOptions::Check() const
 {
   if (!this->Shape.empty() &&
-    std::find(std::begin(Shapes), std::end(Shapes), this->Shape) == std::end(Shapes))
+      std::find(std::begin(Shapes), std::end(Shapes), this->Shape) == std::end(Shapes))
   {
     throw Failure("unknown light shape '" + this->Shape +
-      "'. Known: point, sphere, disk, rectangle, directional.");
+                  "'. Known: point, sphere, disk, rectangle, directional.");
   }
   CheckLength("--light-radius", this->Radius);
   CheckLength("--light-width", this->Width);
@@ -131,10 +131,12 @@ void LightOptions::Apply(vtkAreaLight* light) const
     SetShape(light, this->Shape);
   }
   const std::string shape = GetShapeName(light);
-  const auto refuse = [&](bool given, const char* option, bool fits) {
+  const auto refuse = [&](bool given, const char* option, bool fits)
+  {
     if (given && !fits)
     {
-      throw WrongUsage(std::string(option) + ": the light is a " + shape + " light. See --light-shape.");
+      throw WrongUsage(
+        std::string(option) + ": the light is a " + shape + " light. See --light-shape.");
     }
   };
   refuse(this->Radius.has_value(), "--light-radius", shape == "sphere" || shape == "disk");

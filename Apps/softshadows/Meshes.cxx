@@ -30,8 +30,8 @@ bool IsUsable(const double point[3])
 
 //------------------------------------------------------------------------------
 // Copy the polygons, or the strips as triangles, whose points are all good.
-void CopyGoodPolygons(
-  vtkCellArray* cells, bool strips, const std::vector<bool>& good, vtkCellArray* copy, vtkIdType& lost)
+void CopyGoodPolygons(vtkCellArray* cells, bool strips, const std::vector<bool>& good,
+  vtkCellArray* copy, vtkIdType& lost)
 {
   const auto count = static_cast<vtkIdType>(good.size());
   const auto exists = [&](vtkIdType id) { return id >= 0 && id < count; };
@@ -96,7 +96,8 @@ vtkSmartPointer<vtkPolyData> DropBad(vtkPolyData* surface, Meshes::Report& repor
   }
   report.Points += count;
   report.BadPoints += bad;
-  if (bad == 0 && RefersToAll(surface->GetPolys(), count) && RefersToAll(surface->GetStrips(), count))
+  if (bad == 0 && RefersToAll(surface->GetPolys(), count) &&
+      RefersToAll(surface->GetStrips(), count))
   {
     return surface;
   }
@@ -155,8 +156,8 @@ vtkSmartPointer<vtkPolyData> Prepare(vtkPolyData* surface, Report& report)
   triangles->Update();
   vtkSmartPointer<vtkPolyData> mesh = triangles->GetOutput();
   const bool hasNormals = HasNormals(mesh->GetPointData(), mesh->GetNumberOfPoints()) ||
-    (!mesh->GetPointData()->GetNormals() &&
-      HasNormals(mesh->GetCellData(), mesh->GetNumberOfCells()));
+                          (!mesh->GetPointData()->GetNormals() &&
+                            HasNormals(mesh->GetCellData(), mesh->GetNumberOfCells()));
   if (mesh->GetNumberOfPolys() == 0 || hasNormals)
   {
     return mesh;

@@ -32,8 +32,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -238,17 +238,16 @@ Actors ReadAny(const std::string& path, Meshes::Report& report)
 //------------------------------------------------------------------------------
 void Tell(const Meshes::Report& report, const std::string& path, bool left)
 {
-  const auto of = [&](vtkIdType count, const char* what) {
-    return Quoted(path) + ": " + std::to_string(count) + what;
-  };
+  const auto of = [&](vtkIdType count, const char* what)
+  { return Quoted(path) + ": " + std::to_string(count) + what; };
   std::string points = of(report.BadPoints, " of ");
   points += std::to_string(report.Points) + " points " + (report.BadPoints == 1 ? "is" : "are") +
-    " not finite";
+            " not finite";
   if (!left)
   {
-    throw Failure(report.BadPoints > 0
-        ? points + ", and no polygon without them is left."
-        : report.BadPolygons > 0
+    throw Failure(
+      report.BadPoints > 0 ? points + ", and no polygon without them is left."
+      : report.BadPolygons > 0
         ? of(report.BadPolygons, " polygon(s) with points that are not there, and none is left.")
         : Quoted(path) + " holds no polygons.");
   }
@@ -276,8 +275,8 @@ std::string GetExtensions()
 std::vector<vtkSmartPointer<vtkActor>> Read(const std::string& path)
 {
   const std::string extension = GetExtension(path);
-  if (extension.empty() || (", " + GetExtensions() + ",").find(" " + extension.substr(1) + ",") ==
-      std::string::npos)
+  if (extension.empty() ||
+      (", " + GetExtensions() + ",").find(" " + extension.substr(1) + ",") == std::string::npos)
   {
     CheckFile(path); // what is missing is called missing, whatever its name
     throw Failure(Quoted(path) + " is no model that can be read. Known: " + GetExtensions() + ".");
@@ -306,7 +305,8 @@ vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* mesh)
   vtkDataArray* ofPoints = mesh->GetPointData()->GetScalars();
   vtkDataArray* ofCells = mesh->GetCellData()->GetScalars();
   vtkDataArray* colors = ofPoints ? ofPoints : ofCells;
-  const bool isColor = vtkUnsignedCharArray::SafeDownCast(colors) &&
+  const bool isColor =
+    vtkUnsignedCharArray::SafeDownCast(colors) &&
     (colors->GetNumberOfComponents() == 3 || colors->GetNumberOfComponents() == 4);
   mapper->SetScalarVisibility(isColor);
   auto actor = vtkSmartPointer<vtkActor>::New();

@@ -60,7 +60,8 @@ ObjFile::ObjFile(const std::string& path)
   }
   if (!written || std::fflush(this->Copy.get()) != 0)
   {
-    throw Failure("cannot read \"" + path + "\": the temporary file that it needs cannot be written.");
+    throw Failure(
+      "cannot read \"" + path + "\": the temporary file that it needs cannot be written.");
   }
   std::rewind(this->Copy.get());
   this->Path = "/dev/fd/" + std::to_string(fileno(this->Copy.get()));

@@ -41,26 +41,20 @@ void CheckDisplay(vtkRenderWindow* window)
     return;
   }
   const auto open = reinterpret_cast<void* (*)(const char*)>(dlsym(library, "XOpenDisplay"));
-  const auto close = reinterpret_cast<int (*)(void*)>(dlsym(library, "XCloseDisplay"));
   const auto query = reinterpret_cast<int (*)(void*, const char*, int*, int*, int*)>(
     dlsym(library, "XQueryExtension"));
-  if (open && close && query)
+  if (open && query)
   {
+    // Left open: an X server starts over when its last client goes, and would refuse VTK meanwhile.
     void* display = open(name);
     int codes[3];
-    const bool hasGL = display && query(display, "GLX", &codes[0], &codes[1], &codes[2]);
-    if (display)
-    {
-      close(display);
-    }
-    if (!hasGL)
+    if (!display || !query(display, "GLX", &codes[0], &codes[1], &codes[2]))
     {
       const std::string which = "display \"" + std::string(name) + "\" ";
-      throw Failure(
-        (display ? which + "has no OpenGL (no GLX)." : which + "cannot be opened.") + HowToGetADisplay);
+      throw Failure((display ? which + "has no OpenGL (no GLX)." : which + "cannot be opened.") +
+                    HowToGetADisplay);
     }
   }
-  dlclose(library);
 #endif
 }
 }
@@ -96,7 +90,7 @@ vtkRenderWindow* OffscreenWindow::GetOpenWindow()
   if (largest > 0 && (size[0] > largest || size[1] > largest))
   {
     throw Failure("--size " + std::to_string(size[0]) + "x" + std::to_string(size[1]) +
-      ": this OpenGL draws up to " + std::to_string(largest) + " pixels a side.");
+                  ": this OpenGL draws up to " + std::to_string(largest) + " pixels a side.");
   }
   this->Opened = true;
   return window;

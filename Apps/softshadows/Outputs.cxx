@@ -160,7 +160,7 @@ fs::path Outputs::PlanFile(const std::string& name)
   constexpr fs::perms writable =
     fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
   if (fs::exists(there) &&
-    (access(path.c_str(), W_OK) != 0 || (there.permissions() & writable) == fs::perms::none))
+      (access(path.c_str(), W_OK) != 0 || (there.permissions() & writable) == fs::perms::none))
   {
     throw Failure(CannotWrite(name, "the file is write-protected"));
   }
@@ -233,8 +233,8 @@ void Outputs::WritePicture(const fs::path& temporary, const std::string& name, v
     if (reason.find("could not find a format writer") != std::string::npos)
     {
       reason = temporary.has_extension()
-        ? "no kind of picture has the extension \"" + temporary.extension().string() + "\""
-        : "its name has no extension that tells the kind of picture";
+                 ? "no kind of picture has the extension \"" + temporary.extension().string() + "\""
+                 : "its name has no extension that tells the kind of picture";
     }
     for (std::size_t at; (at = reason.find(temporary.string())) != std::string::npos;)
     {
@@ -271,7 +271,11 @@ void Outputs::StageText(const std::string& name, const std::string& text)
 //------------------------------------------------------------------------------
 void Outputs::Commit()
 {
-  while (!this->Files.empty() && pendingSignal == 0)
+  if (!this->Files.empty() && pendingSignal != 0)
+  {
+    throw Failure("interrupted"); // the signal ends the command once the files are gone
+  }
+  while (!this->Files.empty())
   {
     const Staged& file = this->Files.back();
     std::error_code failed;
@@ -282,10 +286,6 @@ void Outputs::Commit()
     }
     this->Files.pop_back();
     this->MadeFolder.clear();
-  }
-  if (!this->Files.empty())
-  {
-    throw Failure("interrupted"); // the signal ends the command once the files are gone
   }
   this->Signals.reset();
 }

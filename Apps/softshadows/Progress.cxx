@@ -15,8 +15,7 @@ Progress::Progress(const std::string& title, unsigned long steps)
   if (Progress::IsShown())
   {
     std::cerr << title << "\n";
-    this->Display =
-      std::make_unique<boost::timer::progress_display>(steps, std::cerr, "");
+    this->Display = std::make_unique<boost::timer::progress_display>(steps, std::cerr, "");
   }
 }
 
@@ -36,26 +35,28 @@ ExpectedProgress::ExpectedProgress(const std::string& title, double expectedMill
   {
     return;
   }
-  this->Thread = std::thread([this, title, expectedMilliseconds] {
-    constexpr int steps = 50;
-    Progress progress(title, steps);
-    const std::chrono::duration<double, std::milli> step(expectedMilliseconds / steps);
-    std::unique_lock<std::mutex> lock(this->Mutex);
-    int shown = 0;
-    // The last step waits for the work itself.
-    while (!this->Woken.wait_for(lock, step, [this] { return this->Done; }))
+  this->Thread = std::thread(
+    [this, title, expectedMilliseconds]
     {
-      if (shown + 1 < steps)
+      constexpr int steps = 50;
+      Progress progress(title, steps);
+      const std::chrono::duration<double, std::milli> step(expectedMilliseconds / steps);
+      std::unique_lock<std::mutex> lock(this->Mutex);
+      int shown = 0;
+      // The last step waits for the work itself.
+      while (!this->Woken.wait_for(lock, step, [this] { return this->Done; }))
+      {
+        if (shown + 1 < steps)
+        {
+          progress.Advance();
+          ++shown;
+        }
+      }
+      for (; shown < steps; ++shown)
       {
         progress.Advance();
-        ++shown;
       }
-    }
-    for (; shown < steps; ++shown)
-    {
-      progress.Advance();
-    }
-  });
+    });
 }
 
 //------------------------------------------------------------------------------

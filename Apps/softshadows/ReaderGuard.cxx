@@ -61,7 +61,7 @@ std::string ReaderGuard::GetPrinted()
   std::fflush(stderr);
   char line[200] = "";
   if (this->Kept && std::fseek(this->Kept, 0, SEEK_SET) == 0 &&
-    std::fgets(line, sizeof(line), this->Kept))
+      std::fgets(line, sizeof(line), this->Kept))
   {
     line[std::strcspn(line, "\r\n")] = '\0';
   }

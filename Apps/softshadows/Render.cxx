@@ -40,11 +40,11 @@ vtkSmartPointer<vtkShadowPass> MakePass(const RenderOptions& options)
 {
   if (options.Technique == "none")
   {
-    const char* pointless = !options.Visibility.empty() ? "--visibility"
-      : !options.DebugView.empty()                      ? "--debug-view"
-      : !options.Parameters.Settings.empty()            ? "--set"
-      : !options.Parameters.Quality.empty()             ? "--quality"
-                                                        : nullptr;
+    const char* pointless = !options.Visibility.empty()            ? "--visibility"
+                            : !options.DebugView.empty()           ? "--debug-view"
+                            : !options.Parameters.Settings.empty() ? "--set"
+                            : !options.Parameters.Quality.empty()  ? "--quality"
+                                                                   : nullptr;
     if (pointless)
     {
       throw WrongUsage(std::string(pointless) + " needs a technique other than none.");
@@ -136,8 +136,8 @@ void Render(const RenderOptions& options)
     return;
   }
   const std::string how = options.Frames == 1
-    ? "first frame, with set-up"
-    : "median of " + std::to_string(options.Frames) + " frames";
+                            ? "first frame, with set-up"
+                            : "median of " + std::to_string(options.Frames) + " frames";
   std::printf("%s: %lld triangles, %dx%d, %.1f ms (%s), written to %s\n", options.Technique.c_str(),
     static_cast<long long>(scene.Triangles), options.Scene.Size[0], options.Scene.Size[1], time,
     how.c_str(), options.Picture.c_str());
@@ -150,8 +150,7 @@ void DeclareRender(CLI::App& app)
   CLI::App* command =
     app.add_subcommand("render", "Draw models or a built-in scene with one technique");
   auto options = std::make_shared<RenderOptions>();
-  command
-    ->add_option("-o,--output", options->Picture, "The picture: png, exr, tif, bmp and others")
+  command->add_option("-o,--output", options->Picture, "The picture: png, exr, tif, bmp and others")
     ->type_name("FILE")
     ->required();
   options->Scene.Declare(*command);
@@ -166,7 +165,8 @@ void DeclareRender(CLI::App& app)
       "Show visibility, penumbra, cost, or what the technique adds")
     ->type_name("VIEW")
     ->group("Technique");
-  command->add_option("--visibility", options->Visibility, "Write the light's visibility (exr, tif)")
+  command
+    ->add_option("--visibility", options->Visibility, "Write the light's visibility (exr, tif)")
     ->type_name("FILE");
   command->add_option("--stats", options->Statistics, "Write the figures of the frame as JSON")
     ->type_name("FILE");

@@ -32,15 +32,17 @@ vtkIdType CountTriangles(vtkRenderer* renderer)
   props->InitTraversal(iterator);
   while (vtkProp* prop = props->GetNextProp(iterator))
   {
-    vtkShadowPass::ForEachActor(prop, [&count](vtkActor* actor, vtkMatrix4x4*) {
-      vtkMapper* mapper = actor->GetMapper();
-      if (mapper)
+    vtkShadowPass::ForEachActor(prop,
+      [&count](vtkActor* actor, vtkMatrix4x4*)
       {
-        mapper->Update();
-        auto* surface = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
-        count += surface ? Meshes::CountTriangles(surface) : 0;
-      }
-    });
+        vtkMapper* mapper = actor->GetMapper();
+        if (mapper)
+        {
+          mapper->Update();
+          auto* surface = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
+          count += surface ? Meshes::CountTriangles(surface) : 0;
+        }
+      });
   }
   return count;
 }
@@ -63,8 +65,8 @@ void CheckTriangles(const std::string& scene, int triangles)
       const int most = parameter["max"];
       if (triangles < least || triangles > most)
       {
-        throw Failure("--triangles of scene " + scene + " is from " + std::to_string(least) + " to " +
-          std::to_string(most) + ", not " + std::to_string(triangles) + ".");
+        throw Failure("--triangles of scene " + scene + " is from " + std::to_string(least) +
+                      " to " + std::to_string(most) + ", not " + std::to_string(triangles) + ".");
       }
       return;
     }
@@ -118,7 +120,8 @@ nlohmann::ordered_json Scene::GetJSON() const
 //------------------------------------------------------------------------------
 void SceneOptions::Declare(CLI::App& command)
 {
-  command.add_option("MODEL", this->Models, "Polygon files, drawn together: " + Models::GetExtensions())
+  command
+    .add_option("MODEL", this->Models, "Polygon files, drawn together: " + Models::GetExtensions())
     ->type_name("");
   command
     .add_option(
@@ -131,11 +134,13 @@ void SceneOptions::Declare(CLI::App& command)
     ->group("Scene");
   command.add_flag("--ground", this->Ground, "Put a ground under what is drawn")->group("Scene");
   command
-    .add_option("--up", this->Up, "Axis that points up: x, y or z (default y for models, z for scenes)")
+    .add_option(
+      "--up", this->Up, "Axis that points up: x, y or z (default y for models, z for scenes)")
     ->type_name("AXIS")
     ->group("Scene");
   this->Light.Declare(command);
-  Values::AddSize(command, "--size", this->Size, "Width and height of the picture (default 900x700)")
+  Values::AddSize(
+    command, "--size", this->Size, "Width and height of the picture (default 900x700)")
     ->group("Picture");
   Values::AddTriple(command, "--background", this->Background, "R,G,B", "Background, each 0 to 1")
     ->group("Picture");
@@ -165,24 +170,24 @@ void SceneOptions::Check() const
   {
     throw Failure("unknown axis '" + this->Up + "' for --up. Known: x, y, z.");
   }
-  if (this->Background &&
-    std::any_of(this->Background->begin(), this->Background->end(),
-      [](double value) { return value < 0.0 || value > 1.0; }))
+  if (this->Background && std::any_of(this->Background->begin(), this->Background->end(),
+                            [](double value) { return value < 0.0 || value > 1.0; }))
   {
     throw Failure("--background takes three numbers from 0 to 1.");
   }
   if (this->SamplesPerPixel < 0 || this->SamplesPerPixel > 8)
   {
-    throw Failure("--samples-per-pixel is from 0 to 8, not " +
-      std::to_string(this->SamplesPerPixel) + ".");
+    throw Failure(
+      "--samples-per-pixel is from 0 to 8, not " + std::to_string(this->SamplesPerPixel) + ".");
   }
   constexpr int largest = 16384;
   for (const int side : this->Size)
   {
     if (side < 1 || side > largest)
     {
-      throw Failure("--size " + std::to_string(this->Size[0]) + "x" + std::to_string(this->Size[1]) +
-        ": a side is from 1 to " + std::to_string(largest) + " pixels.");
+      throw Failure("--size " + std::to_string(this->Size[0]) + "x" +
+                    std::to_string(this->Size[1]) + ": a side is from 1 to " +
+                    std::to_string(largest) + " pixels.");
     }
   }
   this->Light.Check();

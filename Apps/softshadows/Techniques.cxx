@@ -65,7 +65,8 @@ void TechniqueOptions::Declare(CLI::App& command)
   command
     .add_option_function<std::vector<std::string>>(
       "--set",
-      [this](const std::vector<std::string>& texts) {
+      [this](const std::vector<std::string>& texts)
+      {
         for (const std::string& text : texts)
         {
           this->Settings.push_back(ParseSetting(text));
@@ -93,8 +94,8 @@ vtkSmartPointer<vtkShadowPass> TechniqueOptions::Create(
   for (const TechniqueSetting& setting : this->Settings)
   {
     const bool meant = setting.Technique.empty()
-      ? strict || Techniques::HasParameter(description, setting.Name)
-      : setting.Technique == technique;
+                         ? strict || Techniques::HasParameter(description, setting.Name)
+                         : setting.Technique == technique;
     if (meant && !pass->SetParameter(setting.Name, setting.Value))
     {
       break;
@@ -115,12 +116,12 @@ void TechniqueOptions::CheckSettings(const std::vector<std::string>& techniques)
       if (std::find(techniques.begin(), techniques.end(), setting.Technique) == techniques.end())
       {
         throw Failure("--set " + setting.Technique + ":" + setting.Name + "=" + setting.Value +
-          ": " + setting.Technique + " is not among the techniques used here.");
+                      ": " + setting.Technique + " is not among the techniques used here.");
       }
     }
-    else if (std::none_of(techniques.begin(), techniques.end(), [&](const std::string& name) {
-               return Techniques::HasParameter(Techniques::Describe(name), setting.Name);
-             }))
+    else if (std::none_of(techniques.begin(), techniques.end(),
+               [&](const std::string& name)
+               { return Techniques::HasParameter(Techniques::Describe(name), setting.Name); }))
     {
       throw Failure("none of the techniques has a parameter '" + setting.Name + "'.");
     }

@@ -37,7 +37,8 @@ std::vector<std::string> Split(const std::string& text, char separator)
 CLI::Option* AddTriple(CLI::App& command, const std::string& name,
   std::optional<std::array<double, 3>>& value, const std::string& form, const std::string& meaning)
 {
-  const auto parse = [name, &value](const std::string& text) {
+  const auto parse = [name, &value](const std::string& text)
+  {
     const auto words = Split(text);
     std::array<double, 3> numbers{};
     bool valid = words.size() == numbers.size();
@@ -55,10 +56,11 @@ CLI::Option* AddTriple(CLI::App& command, const std::string& name,
 }
 
 //------------------------------------------------------------------------------
-CLI::Option* AddSize(CLI::App& command, const std::string& name, std::array<int, 2>& value,
-  const std::string& meaning)
+CLI::Option* AddSize(
+  CLI::App& command, const std::string& name, std::array<int, 2>& value, const std::string& meaning)
 {
-  const auto parse = [name, &value](const std::string& text) {
+  const auto parse = [name, &value](const std::string& text)
+  {
     const auto words = Split(text, 'x');
     std::array<int, 2> sides{};
     bool valid = words.size() == sides.size();
@@ -66,7 +68,7 @@ CLI::Option* AddSize(CLI::App& command, const std::string& name, std::array<int,
     {
       double number = 0.0;
       valid = ParseNumber(words[i], number) && number == std::floor(number) &&
-        std::abs(number) <= std::numeric_limits<int>::max();
+              std::abs(number) <= std::numeric_limits<int>::max();
       sides[i] = valid ? static_cast<int>(number) : 0;
     }
     if (!valid)

@@ -25,8 +25,8 @@ int Fail(const std::string& text, int code)
 int main(int argc, char* argv[])
 {
   Messages::Install();
-  CLI::App app("Soft shadows for VTK: draw models and scenes, and measure the techniques.",
-    "softshadows");
+  CLI::App app(
+    "Soft shadows for VTK: draw models and scenes, and measure the techniques.", "softshadows");
   app.set_version_flag("--version", "softshadows " SOFTSHADOWS_VERSION);
   app.require_subcommand(0, 1); // that there must be one is said below
   app.get_formatter()->column_width(30);

@@ -246,6 +246,7 @@ std::vector<vtkLightView> vtkLightFrusta::GetDirectionalViews(const glm::dvec3& 
   rows[3] = glm::dvec4(0.0, 0.0, 0.0, 1.0);
   view.WCToClip = glm::transpose(rows);
   view.Place = towardsLight;
+  view.Axis = frame.Z;
   view.WindowX = frame.X * size.x;
   view.WindowY = frame.Y * size.y;
   return { view };
@@ -376,6 +377,7 @@ bool vtkLightFrusta::AddPerspectiveView(const glm::dvec3& position, const glm::d
   vtkLightView view;
   view.WCToClip = glm::transpose(rows);
   view.Place = position;
+  view.Axis = frame.Z;
   view.WindowX = frame.X * size.x;
   view.WindowY = frame.Y * size.y;
   views.push_back(view);

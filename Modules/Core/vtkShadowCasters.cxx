@@ -19,7 +19,6 @@
 #include "vtkShaderProgram.h"
 #include "vtkShadowCasterFS.h"
 #include "vtkShadowCasterVS.h"
-#include "vtkShadowGL.h"
 #include "vtkShadowPass.h"
 #include "vtk_glew.h"
 
@@ -99,11 +98,9 @@ class vtkShadowCasters::Buffers
 {
 public:
   unsigned long MeshVersion = 0;
-  unsigned long Version = 0;
   vtkNew<vtkOpenGLBufferObject> Vertices;
   vtkNew<vtkOpenGLBufferObject> Indices;
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
-  vtkShadowTexture Matrices;
   vtkShaderProgram* Program = nullptr; // owned by the window's shader cache
   std::vector<GLsizei> Counts;         // indices of each caster
   std::vector<std::size_t> Offsets;    // first index of each caster, in bytes
@@ -262,21 +259,18 @@ void vtkShadowCasters::Upload(vtkOpenGLRenderWindow* window)
   {
     std::vector<float> vertices;
     std::vector<std::uint32_t> indices;
-    vertices.reserve(4 * this->GetNumberOfVertices());
+    vertices.reserve(3 * this->GetNumberOfVertices());
     indices.reserve(3 * this->GetNumberOfTriangles());
     gpu.Counts.clear();
     gpu.Offsets.clear();
-    for (std::size_t i = 0; i < this->Casters.size(); ++i)
+    for (const auto& caster : this->Casters)
     {
-      const vtkShadowMesh& mesh = *this->Casters[i].Mesh;
-      const auto first = static_cast<std::uint32_t>(vertices.size() / 4);
+      const vtkShadowMesh& mesh = *caster.Mesh;
+      const auto first = static_cast<std::uint32_t>(vertices.size() / 3);
       gpu.Counts.push_back(static_cast<GLsizei>(mesh.Indices.size()));
       gpu.Offsets.push_back(indices.size() * sizeof(std::uint32_t));
-      for (std::size_t v = 0; v < mesh.GetNumberOfVertices(); ++v)
-      {
-        vertices.insert(vertices.end(), &mesh.Positions[3 * v], &mesh.Positions[3 * v] + 3);
-        vertices.push_back(static_cast<float>(i));
-      }
+      vertices.insert(vertices.end(), mesh.Positions.begin(),
+        mesh.Positions.begin() + 3 * mesh.GetNumberOfVertices());
       for (const std::uint32_t index : mesh.Indices)
       {
         indices.push_back(first + index);
@@ -289,18 +283,6 @@ void vtkShadowCasters::Upload(vtkOpenGLRenderWindow* window)
     gpu.Program = nullptr; // attributes are to be bound anew
     gpu.Bytes = vertices.size() * sizeof(float) + indices.size() * sizeof(std::uint32_t);
     gpu.MeshVersion = this->MeshVersion;
-  }
-  if (gpu.Version != this->Version)
-  {
-    std::vector<glm::vec4> rows;
-    rows.reserve(3 * this->Casters.size());
-    for (const auto& caster : this->Casters)
-    {
-      const glm::mat4 matrix(glm::transpose(caster.MeshToWC));
-      rows.insert(rows.end(), { matrix[0], matrix[1], matrix[2] });
-    }
-    gpu.Matrices.UploadBuffer(window, rows);
-    gpu.Version = this->Version;
   }
 }
 
@@ -319,43 +301,25 @@ void vtkShadowCasters::Draw(
   gpu.VertexArray->Bind();
   if (program != gpu.Program)
   {
-    constexpr int stride = 4 * sizeof(float);
     gpu.VertexArray->AddAttributeArray(
-      program, gpu.Vertices, "vertexMC", 0, stride, VTK_FLOAT, 3, false);
-    gpu.VertexArray->AddAttributeArray(
-      program, gpu.Vertices, "caster", 3 * sizeof(float), stride, VTK_FLOAT, 1, false);
+      program, gpu.Vertices, "vertexMC", 0, 3 * sizeof(float), VTK_FLOAT, 3, false);
     gpu.Indices->Bind();
     gpu.Program = program;
   }
-  gpu.Matrices.Activate(window);
-  program->SetUniformi("casterMatrices", gpu.Matrices.GetUnit());
-  const glm::mat4 matrix(WCToClip);
-  program->SetUniformMatrix4x4("WCToClip", const_cast<float*>(glm::value_ptr(matrix)));
-
-  std::vector<GLsizei> counts;
-  std::vector<const void*> offsets;
   for (const int i : casters)
   {
-    // Neighbours in the buffer are drawn as one.
-    if (!counts.empty() && gpu.Offsets[i] ==
-        reinterpret_cast<std::size_t>(offsets.back()) + counts.back() * sizeof(std::uint32_t))
-    {
-      counts.back() += gpu.Counts[i];
-      continue;
-    }
-    counts.push_back(gpu.Counts[i]);
-    offsets.push_back(reinterpret_cast<const void*>(gpu.Offsets[i]));
+    const glm::mat4 matrix(WCToClip * this->Casters[i].MeshToWC);
+    program->SetUniformMatrix4x4("MCToClip", const_cast<float*>(glm::value_ptr(matrix)));
+    glDrawElements(GL_TRIANGLES, gpu.Counts[i], GL_UNSIGNED_INT,
+      reinterpret_cast<const void*>(gpu.Offsets[i]));
   }
-  glMultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, offsets.data(),
-    static_cast<GLsizei>(counts.size()));
-  gpu.Matrices.Deactivate(window);
   gpu.VertexArray->Release();
 }
 
 //------------------------------------------------------------------------------
 std::size_t vtkShadowCasters::GetGPUBytes() const
 {
-  return this->GPU ? this->GPU->Bytes + this->GPU->Matrices.GetBytes() : 0;
+  return this->GPU ? this->GPU->Bytes : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -363,7 +327,6 @@ void vtkShadowCasters::ReleaseGraphicsResources(vtkOpenGLRenderWindow* window)
 {
   if (this->GPU)
   {
-    this->GPU->Matrices.Release(window);
     this->GPU->VertexArray->ReleaseGraphicsResources();
     this->GPU->Vertices->ReleaseGraphicsResources();
     this->GPU->Indices->ReleaseGraphicsResources();

@@ -5,9 +5,9 @@
 // GetOrigin(), so that scenes far from the world's origin lose nothing. Meshes are shared with the
 // ray tracer (one BVH each) and, from the families that need it, the adjacency.
 //
-// On the GPU, made only when a technique draws: one vertex buffer (position 12 bytes and caster
-// number 4 bytes a vertex), one index buffer (12 bytes a triangle), and a texture buffer of matrix
-// rows. All casters are then one draw call.
+// On the GPU, made only when a technique draws: one vertex buffer (12 bytes a vertex) and one index
+// buffer (12 bytes a triangle). A caster is one draw call with its matrix, composed in double with the
+// light's: on llvmpipe that took half the time of one call for all with the matrices in a texture.
 
 #ifndef vtkShadowCasters_h
 #define vtkShadowCasters_h

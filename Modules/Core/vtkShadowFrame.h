@@ -26,12 +26,16 @@ struct VTKSOFTSHADOWSCORE_EXPORT vtkShadowFrame
   std::vector<vtkShadowLight> Lights;
   /** Any of the lights is textured: visibility is then a colour. */
   bool Color = false;
+  /** All lights count as their centres: the technique is hard, or they have no size. */
+  bool Hard = false;
   /** View coordinates to WC (world axes, origin at Casters->GetOrigin()). */
   glm::dmat4 VCToWC{ 1.0 };
   glm::dmat4 GetWCToVC() const;
   glm::dmat4 GetWorldToVC() const;
   /** What positions on the casters can be off at least, by rounding to floats, in world units. */
   double LeastRounding = 0.0;
+  /** And what those seen from this camera are off at most: as shadowRounding, for all of them. */
+  double GetRounding() const;
   /** Counts for GetStatistics(), by name; a technique adds its own. */
   std::map<std::string, double> Counts;
 };

@@ -150,10 +150,7 @@ std::string vtkShadowPass::Internals::GetPreamble() const
   std::string text = "#define SHADOW_LIGHTS " +
     std::to_string(std::max<std::size_t>(1, this->Frame.Lights.size())) +
     "\n#define SHADOW_VISIBILITY " + (this->Frame.Color ? "vec3" : "float") + "\n";
-  const bool hard = this->Technique->Hard ||
-    std::all_of(this->Frame.Lights.begin(), this->Frame.Lights.end(),
-      [](const vtkShadowLight& light) { return light.IsPoint(); });
-  return hard ? text + "#define SHADOW_HARD\n" : text;
+  return this->Frame.Hard ? text + "#define SHADOW_HARD\n" : text;
 }
 
 //------------------------------------------------------------------------------

@@ -164,6 +164,9 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
 
   frame.Color = std::any_of(frame.Lights.begin(), frame.Lights.end(),
     [](const vtkShadowLight& light) { return light.Emission != nullptr; });
+  frame.Hard = my.Technique->Hard ||
+    std::all_of(frame.Lights.begin(), frame.Lights.end(),
+      [](const vtkShadowLight& light) { return light.IsPoint(); });
   const glm::dmat4 worldToVC = glm::transpose(
     glm::make_mat4(renderer->GetActiveCamera()->GetModelViewTransformMatrix()->GetData()));
   frame.VCToWC = glm::translate(glm::dmat4(1.0), -my.Casters.GetOrigin()) * glm::inverse(worldToVC);

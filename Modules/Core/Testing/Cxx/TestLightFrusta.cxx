@@ -1,0 +1,433 @@
+// vtkLightFrusta: the views hold all that casts, and no more; no window is needed.
+
+#include "ShadowTesting.h"
+
+#include "vtkActor.h"
+#include "vtkAreaLight.h"
+#include "vtkCubeSource.h"
+#include "vtkLightFrusta.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRenderer.h"
+#include "vtkShadowCasters.h"
+#include "vtkShadowLight.h"
+#include "vtkShadowPass.h"
+#include "vtkSphereSource.h"
+
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <vector>
+
+namespace
+{
+constexpr double Border = 0.02;
+
+/** A scene without a window: a renderer, its casters and one light. */
+class Scene
+{
+public:
+  Scene() { this->Renderer->AddLight(this->Light); }
+  vtkActor* AddSource(vtkPolyDataAlgorithm* source)
+  {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(source->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    this->Renderer->AddActor(actor);
+    return actor;
+  }
+  vtkActor* AddSphere(const glm::dvec3& centre, double radius)
+  {
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetRadius(radius);
+    vtkActor* actor = this->AddSource(sphere);
+    actor->SetPosition(centre.x, centre.y, centre.z);
+    return actor;
+  }
+  vtkActor* AddBox(const glm::dvec3& centre, double side)
+  {
+    vtkNew<vtkCubeSource> cube;
+    cube->SetXLength(side);
+    cube->SetYLength(side);
+    cube->SetZLength(side);
+    vtkActor* actor = this->AddSource(cube);
+    actor->SetPosition(centre.x, centre.y, centre.z);
+    return actor;
+  }
+  vtkActor* AddFloor(const glm::dvec3& centre, double side)
+  {
+    vtkNew<vtkPlaneSource> plane;
+    plane->SetOrigin(-0.5 * side, -0.5 * side, 0.0);
+    plane->SetPoint1(0.5 * side, -0.5 * side, 0.0);
+    plane->SetPoint2(-0.5 * side, 0.5 * side, 0.0);
+    vtkActor* actor = this->AddSource(plane);
+    actor->SetPosition(centre.x, centre.y, centre.z);
+    return actor;
+  }
+  void SetLight(const glm::dvec3& position, const glm::dvec3& focus)
+  {
+    this->Light->SetPosition(position.x, position.y, position.z);
+    this->Light->SetFocalPoint(focus.x, focus.y, focus.z);
+  }
+  void Update()
+  {
+    this->Casters.Update(this->Renderer);
+    this->Gathered = vtkShadowLight::Gather(this->Renderer, 0.0).at(0);
+  }
+  vtkLightFrusta GetFrusta() const { return vtkLightFrusta(this->Gathered, this->Casters, Border); }
+  glm::dvec3 GetCentre() const
+  {
+    return this->Gathered.IsDirectional() ? -this->Gathered.Direction : this->Gathered.Position;
+  }
+
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkAreaLight> Light;
+  vtkShadowCasters Casters;
+  vtkShadowLight Gathered;
+};
+
+//------------------------------------------------------------------------------
+bool IsInside(const vtkLightView& view, const glm::dvec3& place, double border)
+{
+  const glm::dvec4 clip = view.WCToClip * glm::dvec4(place, 1.0);
+  const double window = clip.w * (1.0 - border);
+  return clip.w > 0.0 && std::abs(clip.x) <= window && std::abs(clip.y) <= window &&
+         std::abs(clip.z) <= clip.w;
+}
+
+/** Vertices of a caster, in WC. */
+std::vector<glm::dvec3> GetVertices(const vtkShadowCaster& caster)
+{
+  std::vector<glm::dvec3> vertices;
+  for (std::size_t i = 0; i < caster.Mesh->GetNumberOfVertices(); ++i)
+  {
+    const float* p = &caster.Mesh->Positions[3 * i];
+    vertices.emplace_back(caster.MeshToWC * glm::dvec4(p[0], p[1], p[2], 1.0));
+  }
+  return vertices;
+}
+
+/** The area of a view's window at w = 1. */
+double GetWindow(const vtkLightView& view)
+{
+  return glm::length(view.WindowX) * glm::length(view.WindowY);
+}
+
+/** The views from the light's centre, after a look whether they hold all vertices that count. */
+std::vector<vtkLightView> GetHoldingViews(const Scene& scene)
+{
+  const vtkLightFrusta frusta = scene.GetFrusta();
+  const auto views = frusta.GetViews(scene.GetCentre());
+  for (const int i : frusta.GetCasters())
+  {
+    for (const auto& vertex : GetVertices(scene.Casters.Get().at(i)))
+    {
+      CHECK(std::any_of(views.begin(), views.end(),
+        [&vertex](const vtkLightView& view) { return IsInside(view, vertex, 0.0); }));
+    }
+  }
+  return views;
+}
+
+//------------------------------------------------------------------------------
+// Two things over a floor, from each corner of an area light: one view that holds them with a border
+// to spare, and the floor left out. Anywhere in the world.
+void TestCornersInside(const glm::dvec3& origin)
+{
+  Scene scene;
+  vtkActor* ball = scene.AddSphere(origin + glm::dvec3(0.3, 0.0, 1.0), 0.5);
+  ball->RotateX(30.0);
+  ball->SetScale(1.0, 2.0, 0.5);
+  scene.AddBox(origin + glm::dvec3(-1.0, 0.5, 0.5), 1.0);
+  vtkActor* floor = scene.AddFloor(origin, 10.0);
+  scene.SetLight(origin + glm::dvec3(1.0, 2.0, 6.0), origin);
+  scene.Light->SetShapeToRectangle();
+  scene.Light->SetWidth(2.0);
+  scene.Light->SetHeight(1.0);
+  scene.Update();
+  CHECK_EQUAL(scene.Casters.Get().size(), std::size_t(3));
+  CHECK_NEAR(glm::length(scene.Casters.GetOrigin() - origin), 0.0,
+    glm::length(origin) > 100.0 ? 10.0 : glm::length(origin) + 10.0);
+
+  const vtkLightFrusta frusta = scene.GetFrusta();
+  CHECK_EQUAL(frusta.GetCasters().size(), std::size_t(2));
+  for (const int i : frusta.GetCasters())
+  {
+    CHECK(scene.Casters.Get().at(i).Prop != floor);
+  }
+  auto places = scene.Gathered.GetExtremes();
+  places.push_back(scene.GetCentre());
+  CHECK_EQUAL(places.size(), std::size_t(5));
+  for (const auto& place : places)
+  {
+    const auto views = frusta.GetViews(place);
+    CHECK_EQUAL(views.size(), std::size_t(1));
+    for (const int i : frusta.GetCasters())
+    {
+      for (const auto& corner : scene.Casters.Get().at(i).Corners)
+      {
+        CHECK(IsInside(views.at(0), corner, Border));
+      }
+    }
+    CHECK_NEAR(glm::length(views.at(0).Place - (place - scene.Casters.GetOrigin())), 0.0, 1e-6);
+    // The window hugs: some corner comes within a tenth of the border on each side.
+    glm::dvec2 low(1.0);
+    glm::dvec2 high(-1.0);
+    for (const int i : frusta.GetCasters())
+    {
+      for (const auto& corner : scene.Casters.Get().at(i).Corners)
+      {
+        const glm::dvec4 clip = views.at(0).WCToClip * glm::dvec4(corner, 1.0);
+        low = glm::min(low, glm::dvec2(clip) / clip.w);
+        high = glm::max(high, glm::dvec2(clip) / clip.w);
+      }
+    }
+    CHECK(low.x < -0.9 && low.y < -0.9 && high.x > 0.9 && high.y > 0.9);
+  }
+}
+
+//------------------------------------------------------------------------------
+// w is the distance along the axis; z rises with it; near the window's borders nothing is lost.
+void TestClipSpace()
+{
+  Scene scene;
+  scene.AddSphere(glm::dvec3(0.0), 1.0);
+  scene.SetLight(glm::dvec3(0.0, 0.0, 5.0), glm::dvec3(0.0));
+  scene.Light->SetShapeToPoint();
+  scene.Update();
+  const auto views = scene.GetFrusta().GetViews(scene.GetCentre());
+  CHECK_EQUAL(views.size(), std::size_t(1));
+  const glm::dvec3 origin = scene.Casters.GetOrigin();
+  double last = -2.0;
+  for (double z = 1.0; z >= -1.0; z -= 0.25)
+  {
+    const glm::dvec4 clip = views.at(0).WCToClip * glm::dvec4(glm::dvec3(0, 0, z) - origin, 1.0);
+    CHECK_NEAR(clip.w, 5.0 - z, 1e-9);
+    CHECK(clip.z / clip.w > last);
+    last = clip.z / clip.w;
+  }
+}
+
+//------------------------------------------------------------------------------
+// A floor under everything is left out, whatever its size: 200 units widen no window.
+void TestHugeFloor()
+{
+  double windows[2];
+  const double sides[2] = { 4.0, 200.0 };
+  for (int i = 0; i < 2; ++i)
+  {
+    Scene scene;
+    scene.AddBox(glm::dvec3(0.0, 0.0, 0.5), 1.0); // stands on it
+    scene.AddFloor(glm::dvec3(0.0), sides[i]);
+    scene.SetLight(glm::dvec3(2.0, 1.0, 5.0), glm::dvec3(0.0));
+    scene.Update();
+    const vtkLightFrusta frusta = scene.GetFrusta();
+    CHECK_EQUAL(frusta.GetCasters().size(), std::size_t(1));
+    const auto views = frusta.GetViews(scene.GetCentre());
+    CHECK_EQUAL(views.size(), std::size_t(1));
+    windows[i] = GetWindow(views.at(0));
+  }
+  CHECK_NEAR(windows[1] / windows[0], 1.0, 1e-9);
+}
+
+//------------------------------------------------------------------------------
+// A huge floor that does shadow something counts, but only where that something is.
+void TestFloorOverSomething()
+{
+  Scene scene;
+  scene.AddBox(glm::dvec3(0.0, 0.0, 0.5), 1.0);
+  vtkActor* floor = scene.AddFloor(glm::dvec3(0.0), 200.0);
+  vtkActor* cellar = scene.AddBox(glm::dvec3(0.5, 0.0, -2.0), 1.0);
+  scene.SetLight(glm::dvec3(0.0, 0.0, 8.0), glm::dvec3(0.0));
+  scene.Light->SetShapeToPoint();
+  scene.Update();
+  const vtkLightFrusta frusta = scene.GetFrusta();
+  CHECK_EQUAL(frusta.GetCasters().size(), std::size_t(3));
+  const auto views = frusta.GetViews(scene.GetCentre());
+  CHECK_EQUAL(views.size(), std::size_t(1));
+  CHECK(GetWindow(views.at(0)) < 0.2); // the whole floor would take a window of 600
+  for (const auto& corner : scene.Casters.Get().at(0).Corners)
+  {
+    CHECK(IsInside(views.at(0), corner, 0.0));
+  }
+  // Each place of the floor that the light's rays to the cellar meet is in it.
+  for (const auto& corner : scene.Casters.Get().at(2).Corners)
+  {
+    const glm::dvec3 light = scene.GetCentre() - scene.Casters.GetOrigin();
+    const double t = light.z / (light.z - corner.z);
+    const glm::dvec3 onFloor =
+      light + t * (corner - light) + glm::dvec3(0.0, 0.0, -scene.Casters.GetOrigin().z) * t;
+    CHECK(IsInside(views.at(0), onFloor, 0.0));
+  }
+
+  // A prop that only receives needs the floor as well.
+  vtkShadowPass::SetCasting(cellar, false);
+  scene.Update();
+  const auto counting = scene.GetFrusta().GetCasters();
+  CHECK_EQUAL(counting.size(), std::size_t(2));
+  CHECK(scene.Casters.Get().at(counting.at(1)).Prop == floor);
+  CHECK_EQUAL(scene.Casters.GetReceivers().size(), std::size_t(1));
+
+  // Seen from below it is the cellar that lies in front: the box above is behind the floor.
+  vtkShadowPass::SetCasting(cellar, true);
+  scene.SetLight(glm::dvec3(0.0, 0.0, -8.0), glm::dvec3(0.0));
+  scene.Update();
+  CHECK_EQUAL(scene.GetFrusta().GetCasters().size(), std::size_t(3));
+}
+
+//------------------------------------------------------------------------------
+// Nothing that can shadow anything: no casters, no views.
+void TestNothing()
+{
+  Scene scene;
+  scene.AddFloor(glm::dvec3(0.0), 10.0);
+  scene.SetLight(glm::dvec3(0.0, 0.0, 8.0), glm::dvec3(0.0));
+  scene.Update();
+  const vtkLightFrusta frusta = scene.GetFrusta();
+  CHECK(frusta.GetCasters().empty());
+  CHECK(frusta.GetViews(scene.GetCentre()).empty());
+
+  Scene empty;
+  empty.SetLight(glm::dvec3(0.0, 0.0, 8.0), glm::dvec3(0.0));
+  empty.Update();
+  CHECK(empty.GetFrusta().GetViews(empty.GetCentre()).empty());
+}
+
+//------------------------------------------------------------------------------
+// A light in the plane of a flat caster: the caster stays in.
+void TestEdgeOn()
+{
+  Scene scene;
+  scene.AddFloor(glm::dvec3(0.0), 2.0);
+  scene.AddBox(glm::dvec3(-4.0, 0.0, 0.0), 1.0);
+  scene.SetLight(glm::dvec3(5.0, 0.0, 0.0), glm::dvec3(0.0));
+  scene.Light->SetShapeToPoint();
+  scene.Update();
+  CHECK_EQUAL(scene.GetFrusta().GetCasters().size(), std::size_t(2));
+  CHECK(!GetHoldingViews(scene).empty());
+}
+
+//------------------------------------------------------------------------------
+// Among the casters: a view into each direction that holds some, and none into the others.
+void TestAmongCasters()
+{
+  const glm::dvec3 origin(3.0, -2.0, 1.0);
+  Scene scene;
+  scene.AddBox(origin + glm::dvec3(4.0, 0.0, 0.0), 1.0);
+  scene.AddBox(origin + glm::dvec3(-4.0, 0.0, 0.0), 1.0);
+  scene.AddBox(origin + glm::dvec3(0.0, 5.0, 0.0), 1.0);
+  scene.SetLight(origin, origin + glm::dvec3(0.0, 0.0, -1.0));
+  scene.Light->SetShapeToPoint();
+  scene.Update();
+  CHECK_EQUAL(scene.GetFrusta().GetCasters().size(), std::size_t(3));
+  CHECK_EQUAL(GetHoldingViews(scene).size(), std::size_t(3));
+
+  // A box in the diagonal is cut by two faces, and none of it is counted twice.
+  scene.AddBox(origin + glm::dvec3(3.0, 3.0, 0.0), 1.0);
+  scene.Update();
+  const auto views = GetHoldingViews(scene);
+  CHECK_EQUAL(views.size(), std::size_t(3));
+  const vtkShadowCaster& diagonal = scene.Casters.Get().at(3);
+  for (const double x : { 0.1, 0.3, -0.3 })
+  {
+    const glm::dvec3 p(diagonal.MeshToWC * glm::dvec4(x, 0.15, 0.2, 1.0));
+    int seen = 0;
+    for (const auto& view : views)
+    {
+      seen += IsInside(view, p, 0.0) ? 1 : 0;
+    }
+    CHECK_EQUAL(seen, 1);
+  }
+
+  // All around it, and inside a caster: no more than six, and all is held.
+  scene.AddBox(origin + glm::dvec3(0.0, 0.0, 4.0), 1.0);
+  scene.AddBox(origin + glm::dvec3(0.0, 0.0, -4.0), 1.0);
+  scene.AddBox(origin + glm::dvec3(0.0, -4.0, 0.0), 1.0);
+  scene.AddSphere(origin, 20.0);
+  scene.Update();
+  CHECK_EQUAL(GetHoldingViews(scene).size(), std::size_t(6));
+}
+
+//------------------------------------------------------------------------------
+// A spot light sees no further than its cone.
+void TestCone()
+{
+  Scene scene;
+  scene.AddBox(glm::dvec3(0.0), 1.0);
+  scene.AddBox(glm::dvec3(20.0, 0.0, 0.0), 1.0);
+  scene.SetLight(glm::dvec3(0.0, 0.0, 5.0), glm::dvec3(0.0));
+  scene.Light->SetShapeToPoint();
+  scene.Light->SetConeAngle(20.0);
+  scene.Update();
+  const auto views = scene.GetFrusta().GetViews(scene.GetCentre());
+  CHECK_EQUAL(views.size(), std::size_t(1));
+  CHECK(glm::length(views.at(0).WindowX) < 2.0 * std::tan(20.0 / 57.29578) * 1.1);
+  for (const auto& corner : scene.Casters.Get().at(0).Corners)
+  {
+    CHECK(IsInside(views.at(0), corner, 0.0));
+  }
+  // Nothing in the cone, nothing to draw.
+  scene.SetLight(glm::dvec3(0.0, 0.0, 5.0), glm::dvec3(0.0, 0.0, 9.0));
+  scene.Update();
+  CHECK(scene.GetFrusta().GetViews(scene.GetCentre()).empty());
+}
+
+//------------------------------------------------------------------------------
+void TestDirectional()
+{
+  Scene scene;
+  scene.AddSphere(glm::dvec3(0.0, 0.0, 1.0), 0.5);
+  scene.AddBox(glm::dvec3(3.0, 1.0, 0.5), 1.0);
+  vtkActor* floor = scene.AddFloor(glm::dvec3(0.0), 200.0);
+  scene.SetLight(glm::dvec3(1.0, 2.0, 3.0), glm::dvec3(0.0));
+  scene.Light->PositionalOff();
+  scene.Light->SetAngularDiameter(2.0);
+  scene.Update();
+  CHECK(scene.Gathered.IsDirectional());
+  const vtkLightFrusta frusta = scene.GetFrusta();
+  CHECK_EQUAL(frusta.GetCasters().size(), std::size_t(2));
+  auto places = scene.Gathered.GetExtremes();
+  places.push_back(scene.GetCentre());
+  for (const auto& place : places)
+  {
+    const glm::dvec3 towards = glm::normalize(place);
+    const auto views = frusta.GetViews(towards);
+    CHECK_EQUAL(views.size(), std::size_t(1));
+    for (const int i : frusta.GetCasters())
+    {
+      CHECK(scene.Casters.Get().at(i).Prop != floor);
+      for (const auto& corner : scene.Casters.Get().at(i).Corners)
+      {
+        CHECK(IsInside(views.at(0), corner, Border));
+        CHECK_NEAR((views.at(0).WCToClip * glm::dvec4(corner, 1.0)).w, 1.0, 1e-12);
+      }
+    }
+    // z rises away from the light.
+    const glm::dvec4 near = views.at(0).WCToClip * glm::dvec4(towards, 1.0);
+    const glm::dvec4 far = views.at(0).WCToClip * glm::dvec4(-towards, 1.0);
+    CHECK(near.z < far.z);
+    // Six units of scene in a window of ten at most, floor or no floor.
+    CHECK(GetWindow(views.at(0)) < 100.0);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+int TestLightFrusta(int, char*[])
+{
+  TestCornersInside(glm::dvec3(0.0));
+  TestCornersInside(glm::dvec3(1e7, -1e7, 1e6));
+  TestClipSpace();
+  TestHugeFloor();
+  TestFloorOverSomething();
+  TestNothing();
+  TestEdgeOn();
+  TestAmongCasters();
+  TestCone();
+  TestDirectional();
+  return ShadowTesting::Result();
+}

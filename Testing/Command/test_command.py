@@ -1,0 +1,418 @@
+"""Runs the command softshadows as a user does: what it writes, says and returns.
+
+SOFTSHADOWS_COMMAND is the command's path. Without a display an Xvfb is started; where that is
+missing, too, the tests are skipped (exit code 125).
+"""
+
+import json
+import os
+import shutil
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import zlib
+
+import numpy
+
+import model_files as models
+
+COMMAND = os.environ.get("SOFTSHADOWS_COMMAND", "softshadows")
+SMALL = ["--size", "160x120"]
+ENVIRONMENT = dict(os.environ)
+
+
+def read_png(path):
+    """The pixels of an 8-bit RGB PNG, height x width x 3."""
+    with open(path, "rb") as file:
+        data = file.read()
+    assert data[:8] == b"\x89PNG\r\n\x1a\n", path + " is no PNG"
+    at, packed = 8, b""
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at:at + 8])
+        body = data[at + 8:at + 8 + length]
+        at += 12 + length
+        if kind == b"IHDR":
+            width, height, depth, color = struct.unpack(">IIBB", body[:10])
+            assert (depth, color) == (8, 2), path + " is not 8-bit RGB"
+        elif kind == b"IDAT":
+            packed += body
+    rows = numpy.frombuffer(zlib.decompress(packed), numpy.uint8).reshape(height, 1 + 3 * width)
+    picture = numpy.zeros((height + 1, width + 1, 3), int)  # a border of zeros above and left
+    for y in range(height):
+        row = rows[y, 1:].reshape(width, 3).astype(int)
+        for x in range(width):
+            left, above, corner = picture[y + 1, x], picture[y, x + 1], picture[y, x]
+            if rows[y, 0] == 4:  # Paeth: whichever is nearest to left + above - corner
+                guess = left + above - corner
+                distance = abs(guess - left), abs(guess - above), abs(guess - corner)
+                nearest = numpy.where(distance[1] <= distance[2], above, corner)
+                chosen = (distance[0] <= distance[1]) & (distance[0] <= distance[2])
+                expected = numpy.where(chosen, left, nearest)
+            else:
+                expected = [0, left, above, (left + above) // 2][rows[y, 0]]
+            picture[y + 1, x + 1] = (row[x] + expected) % 256
+    return picture[1:, 1:]
+
+
+def setUpModule():
+    if ENVIRONMENT.get("DISPLAY"):
+        return
+    if not shutil.which("Xvfb"):
+        print("There is no display and no Xvfb: skipped.")
+        sys.exit(125)
+    reading, writing = os.pipe()
+    server = subprocess.Popen(
+        ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1280x1024x24", "-noreset"],
+        pass_fds=[writing], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    os.close(writing)
+    unittest.addModuleCleanup(server.wait)
+    unittest.addModuleCleanup(server.terminate)
+    with os.fdopen(reading) as pipe:
+        ENVIRONMENT["DISPLAY"] = ":" + pipe.readline().strip()
+
+
+class CommandTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def write(self, name, content):
+        with open(self.path(name), "wb") as file:
+            file.write(content if isinstance(content, bytes) else content.encode())
+        return name
+
+    def run_command(self, *arguments, environment=None):
+        return subprocess.run([COMMAND, *arguments], cwd=self.folder, text=True, timeout=120,
+                              env=environment or ENVIRONMENT, capture_output=True)
+
+    def succeed(self, *arguments):
+        result = self.run_command(*arguments)
+        self.assertEqual(result.returncode, 0, "%s\n%s" % (arguments, result.stderr))
+        for line in result.stderr.splitlines():
+            self.assertRegex(line, "^softshadows: (warning|note): ")
+        return result
+
+    def fail(self, code, words, *arguments, environment=None):
+        """One message that has these words, this exit code, and no file that was not there."""
+        before = sorted(os.listdir(self.folder))
+        result = self.run_command(*arguments, environment=environment)
+        self.assertEqual(result.returncode, code, "%s\n%s" % (arguments, result.stderr))
+        lines = [line for line in result.stderr.splitlines() if not line.startswith("See: ")]
+        self.assertEqual(len(lines), 1, result.stderr)
+        self.assertTrue(lines[0].startswith("softshadows: error: "), result.stderr)
+        for word in words:
+            self.assertIn(word, lines[0])
+        self.assertEqual(result.stdout, "")
+        self.assertEqual(sorted(os.listdir(self.folder)), before)
+
+    def compare(self, picture, reference):
+        return json.loads(self.succeed("compare", picture, reference, "--json").stdout)["picture"]
+
+
+class HelpAndList(CommandTest):
+    def test_help(self):
+        self.assertIn("render", self.succeed("--help").stdout)
+        for name in ("list", "render", "compare"):
+            self.assertIn("Usage: softshadows " + name, self.succeed(name, "--help").stdout)
+        self.assertRegex(self.succeed("--version").stdout, r"^softshadows \d+\.\d+\.\d+")
+
+    def test_list(self):
+        text = self.succeed("list").stdout
+        everything = json.loads(self.succeed("list", "--json").stdout)
+        self.assertEqual(sorted(everything), ["scenes", "techniques"])
+        for kind in everything.values():
+            for one in kind:
+                self.assertIn(one["name"], text)
+        names = {one["name"] for one in everything["techniques"]}
+        self.assertLessEqual({"map-hard", "map-soft"}, names)
+        scenes = json.loads(self.succeed("list", "scenes", "--json").stdout)
+        self.assertEqual(scenes, {"scenes": everything["scenes"]})
+
+    def test_wrong_usage(self):
+        self.fail(2, ["subcommand"])
+        self.fail(2, ["nonsense"], "nonsense")
+        self.fail(2, ["--nonsense"], "list", "--nonsense")
+        self.fail(1, ["nonsense", "techniques"], "list", "nonsense")
+
+
+class Render(CommandTest):
+    def render(self, *arguments, technique="map-hard", name="out.png"):
+        result = self.succeed("render", *arguments, *SMALL, "-o", name, "--technique", technique)
+        return result, read_png(self.path(name))
+
+    def test_formats(self):
+        # The same cube, whatever the file: the same picture, but for the colour of glTF.
+        files = {"a.obj": models.obj(), "a.ply": models.ply(), "a.stl": models.stl(),
+                 "b.stl": models.binary_stl(), "a.vtp": models.vtp(), "a.vtk": models.vtk(),
+                 "grid.vtk": models.grid_vtk(), "a.gltf": models.gltf(), "a.glb": models.glb()}
+        pictures = {}
+        for name, content in files.items():
+            result, pictures[name] = self.render(self.write(name, content), "--ground")
+            self.assertIn("14 triangles", result.stdout)
+            self.assertEqual(result.stderr, "")
+            self.assertEqual(pictures[name].shape, (120, 160, 3))
+        for name, picture in pictures.items():
+            like = "a.gltf" if name == "a.glb" else "a.obj"
+            if name != "a.gltf":
+                difference = abs(picture - pictures[like]).max(axis=2)
+                self.assertLess((difference > 8).mean(), 0.005, name)
+        red = pictures["a.gltf"].astype(int)
+        self.assertGreater((red[:, :, 0] - red[:, :, 1] > 60).mean(), 0.05)
+
+    def test_several_models(self):
+        moved = [(x + 3, y, z) for x, y, z in models.CUBE]
+        self.write("a.obj", models.obj())
+        self.write("b.ply", models.ply(moved))
+        self.assertIn("26 triangles", self.render("a.obj", "b.ply", "--ground")[0].stdout)
+
+    def test_shadow(self):
+        model = self.write("a.obj", models.obj())
+        _, plain = self.render(model, "--ground", technique="none")
+        for technique in ("map-hard", "map-soft"):
+            _, picture = self.render(model, "--ground", technique=technique)
+            darker = (plain - picture).max(axis=2)
+            self.assertGreater((darker > 30).mean(), 0.02, technique)
+            self.assertLess((picture - plain).max(), 3, technique)
+
+    def test_options(self):
+        model = self.write("a.stl", models.stl())
+        base = self.render(model, "--ground")[1]
+        for options in (["--up", "z"], ["--light-position", "-3,4,-2"], ["--light-target", "1,0,0"],
+                        ["--light-shape", "directional"], ["--samples-per-pixel", "4"],
+                        ["--background", "0.1,0.2,0.9"], ["--debug-view", "visibility"]):
+            self.assertGreater(abs(self.render(model, "--ground", *options)[1] - base).max(), 8, options)
+        corner = self.render(model, "--background", "0.1,0.2,0.9")[1][0, 0]
+        self.assertLess(abs(corner - [26, 51, 230]).max(), 3)
+
+    def test_soft_lights(self):
+        model = self.write("a.stl", models.stl())
+        hard = self.render(model, "--ground", "--light-shape", "point", technique="map-soft")[1]
+        for options in (["--light-radius", "1"], ["--light-shape", "disk", "--light-radius", "1"],
+                        ["--light-shape", "rectangle", "--light-width", "1", "--light-height", "2"],
+                        ["--light-shape", "directional", "--light-angle", "20"]):
+            soft = self.render(model, "--ground", "--set", "samples=16", *options,
+                               technique="map-soft")[1]
+            self.assertGreater((abs(soft - hard).max(axis=2) > 8).mean(), 0.01, options)
+
+    def test_light_without_size(self):
+        model = self.write("a.obj", models.obj())
+        point, _ = self.render(model, "--ground", "--light-shape", "point", name="point.png")
+        zero, _ = self.render(model, "--ground", "--light-radius", "0", name="zero.png")
+        self.assertEqual(point.stderr, "")
+        self.assertIn("note: the light has no size", zero.stderr)
+        self.assertTrue(self.compare("zero.png", "point.png")["equal"])
+
+    def test_outputs(self):
+        result = self.succeed(
+            "render", "--scene", "blocker", *SMALL, "-o", "out.png", "--visibility", "v.exr", "--stats",
+            "stats.json", "--frames", "3", "--quality", "low", "--set", "samples=4", "--json")
+        self.assertEqual(sorted(os.listdir(self.folder)), ["out.png", "stats.json", "v.exr"])
+        with open(self.path("stats.json")) as file:
+            stats = json.load(file)
+        self.assertEqual(json.loads(result.stdout), stats)
+        self.assertEqual(stats["technique"], "map-soft")
+        self.assertEqual(stats["parameters"]["samples"], "4")
+        self.assertEqual(stats["size"], [160, 120])
+        self.assertEqual(stats["scene"]["triangles"], 4)
+        self.assertGreater(stats["frame_milliseconds"], 0)
+        self.assertIn("bytes", stats["pass"])
+        same = json.loads(self.succeed("compare", "v.exr", "v.exr", "--json").stdout)
+        self.assertEqual(same["visibility"]["rmse"], 0)
+
+    def test_points_that_are_not_finite(self):
+        for name, content in (("a.obj", models.obj(models.NAN_CUBE)), ("a.ply", models.ply(models.NAN_CUBE)),
+                              ("b.ply", models.ply(models.INFINITE_CUBE)),
+                              ("a.vtp", models.vtp(models.NAN_CUBE)),
+                              ("a.gltf", models.gltf(models.NAN_CUBE))):
+            result, _ = self.render(self.write(name, content), "--ground")
+            self.assertRegex(result.stderr, 'warning: "%s": 1 of 8 points is not finite' % name)
+        result, _ = self.render(self.write("a.stl", models.stl(models.NAN_CUBE)), "--ground")
+        self.assertIn("points are not finite", result.stderr)
+
+    def test_degenerate_triangles(self):
+        faces = models.QUADS + [(0, 0, 0), (1, 1, 2)]
+        result, _ = self.render(self.write("a.obj", models.obj(faces=faces)), "--ground")
+        self.assertEqual(result.stderr, "")
+
+
+class Failures(CommandTest):
+    def refuse(self, code, words, *arguments):
+        self.fail(code, words, "render", *arguments, *SMALL, "-o", "out.png")
+
+    def test_models(self):
+        nan = [("nan", 0, 0)] * 8
+        cut = models.ply()
+        bad = {"empty.obj": ("", "empty"), "points.obj": (models.obj(faces=[]), "no polygons"),
+               "garbage.obj": ("what is this\n", "no polygons"), "garbage.stl": ("x" * 100, "garbage.stl"),
+               "garbage.ply": ("x" * 100, "garbage.ply"), "garbage.vtp": ("<a>", "garbage.vtp"),
+               "garbage.vtk": ("x\ny\n", "garbage.vtk"), "garbage.gltf": ("{", "garbage.gltf"),
+               "garbage.glb": ("x" * 100, "garbage.glb"), "cut.ply": (cut[:-20], "damaged"),
+               "cut.vtk": (models.vtk()[:-20], "damaged"), "cut.vtp": (models.vtp()[:-200], "cut.vtp"),
+               "image.vtk": (models.image_vtk(), "no polygons"), "nan.obj": (models.obj(nan), "8 of 8 points"),
+               "nan.ply": (models.ply(nan), "8 of 8 points"), "a.xyz": ("1 2 3", "Known: obj"),
+               "index.obj": (models.obj(faces=[(0, 1, 99)]), "points that are not there")}
+        for name, (content, word) in bad.items():
+            self.refuse(1, [name, word], self.write(name, content))
+        self.refuse(1, ["missing.obj", "no file"], "missing.obj")
+        os.mkdir(self.path("folder.obj"))
+        self.refuse(1, ["folder.obj", "folder"], "folder.obj")
+        self.write("good.obj", models.obj())
+        self.refuse(1, ["missing.obj"], "good.obj", "missing.obj")
+
+    def test_values(self):
+        model = self.write("a.obj", models.obj())
+        for words, arguments in (
+                (["nonsense", "map-hard"], ["--technique", "nonsense"]),
+                (["nonsense", "resolution"], ["--set", "nonsense=1"]),
+                (["resolution", "-5"], ["--set", "resolution=-5"]),
+                (["filter", "nearest"], ["--set", "filter=nonsense"]),
+                (["nonsense"], ["--set", "nonsense:samples=3"]),
+                (["nonsense", "reference"], ["--quality", "nonsense"]),
+                (["nonsense", "visibility"], ["--debug-view", "nonsense"]),
+                (["blob", "sphere"], ["--light-shape", "blob"]),
+                (["--light-radius"], ["--light-radius", "-1"]),
+                (["--light-radius"], ["--light-radius", "nan"]),
+                (["--light-angle"], ["--light-shape", "directional", "--light-angle", "100"]),
+                (["target"], ["--light-shape", "disk", "--light-position", "1,1,1", "--light-target", "1,1,1"]),
+                (["0x5"], ["--size", "0x5"]), (["99999"], ["--size", "99999x5"]),
+                (["--up", "'w'"], ["--up", "w"]), (["--background"], ["--background", "2,0,0"]),
+                (["--samples-per-pixel"], ["--samples-per-pixel", "9"]), (["--frames"], ["--frames", "0"])):
+            self.fail(1, words, "render", model, "-o", "out.png", *arguments)
+        self.refuse(1, ["nonsense", "blocker"], "--scene", "nonsense")
+        self.refuse(1, ["bunny", "triangles"], "--scene", "bunny", "--triangles", "5")
+        self.refuse(1, ["plant", "2000000"], "--scene", "plant", "--triangles", "5")
+
+    def test_usage(self):
+        model = self.write("a.obj", models.obj())
+        for words, arguments in (
+                (["--output"], [model]), (["nothing to draw"], ["-o", "out.png"]),
+                (["exclude"], [model, "--scene", "bunny", "-o", "out.png"]),
+                (["--nonsense"], [model, "-o", "out.png", "--nonsense"]),
+                (["samples"], [model, "-o", "out.png", "--set", "samples"]),
+                (["1,2"], [model, "-o", "out.png", "--light-position", "1,2"]),
+                (["abc"], [model, "-o", "out.png", "--light-radius", "abc"]),
+                (["10"], [model, "-o", "out.png", "--size", "10"]),
+                (["--light-angle", "sphere"], [model, "-o", "out.png", "--light-angle", "3"]),
+                (["--triangles"], [model, "-o", "out.png", "--triangles", "100000"]),
+                (["twice"], [model, "-o", "out.png", "--visibility", "out.png"]),
+                (["--visibility"], [model, "-o", "out.png", "--technique", "none", "--visibility", "v.exr"])):
+            self.fail(2, words, "render", *arguments)
+
+    def test_places(self):
+        model = self.write("a.obj", models.obj())
+        self.write("file", "")
+        os.mkdir(self.path("folder.png"))
+        for words, arguments in (
+                (["none/out.png", "folder"], ["-o", "none/out.png"]), (["out.nonsense"], ["-o", "out.nonsense"]),
+                (["\"out\"", "extension"], ["-o", "out"]), (["folder.png"], ["-o", "folder.png"]),
+                (["file/out.png"], ["-o", "file/out.png"]), (["/proc/out.png"], ["-o", "/proc/out.png"]),
+                (["none/s.json"], ["-o", "out.png", "--stats", "none/s.json"]),
+                (["v.gif"], ["-o", "out.png", "--visibility", "v.gif"])):
+            self.fail(1, words, "render", model, *SMALL, *arguments)
+
+    def test_old_files_stay(self):
+        old = self.write("out.png", "old")
+        self.refuse(1, ["missing.obj"], "missing.obj")
+        self.write("nan.obj", models.obj([("nan", 0, 0)] * 8))
+        self.refuse(1, ["nan.obj"], "nan.obj")
+        os.chmod(self.path(old), 0o444)
+        self.refuse(1, ["out.png", "write-protected"], "--scene", "blocker")
+        with open(self.path(old)) as file:
+            self.assertEqual(file.read(), "old")
+
+    def test_display(self):
+        none = {k: v for k, v in ENVIRONMENT.items() if k != "DISPLAY"}
+        arguments = ["render", "--scene", "blocker", "-o", "out.png"]
+        self.fail(1, ["DISPLAY", "Xvfb"], *arguments, environment=none)
+        self.fail(1, [":7654", "Xvfb"], *arguments, environment=dict(none, DISPLAY=":7654"))
+
+    def test_interrupt(self):
+        command = [COMMAND, "compare", "--scene", "huge", "--reference-samples", "16384", "-o", "out"]
+        process = subprocess.Popen(command, cwd=self.folder, env=ENVIRONMENT, stderr=subprocess.DEVNULL)
+        time.sleep(1.5)
+        process.send_signal(signal.SIGINT)
+        self.assertNotEqual(process.wait(timeout=30), 0)
+        self.assertEqual(os.listdir(self.folder), [])
+
+
+class Compare(CommandTest):
+    def has_reference(self):
+        described = json.loads(self.succeed("list", "techniques", "--json").stdout)
+        return "ray-traced" in [one["name"] for one in described["techniques"]]
+
+    def test_techniques(self):
+        if not self.has_reference():
+            self.skipTest("no ray-traced reference in this build")
+        command = ["compare", "--scene", "blocker", *SMALL, "--reference-samples", "64", "--frames", "2"]
+        result = json.loads(self.succeed(
+            *command, "--techniques", "map-soft,map-hard,ray-traced", "--set", "samples=16", "--set",
+            "map-soft:samples=32", "-o", "out", "--json").stdout)
+        rows = {row["technique"]: row for row in result["techniques"]}
+        self.assertEqual(list(rows), ["none", "map-soft", "map-hard", "ray-traced"])
+        self.assertEqual(rows["map-soft"]["parameters"]["samples"], "32")
+        self.assertEqual(rows["ray-traced"]["parameters"]["samples"], "16")
+        error = {name: row["visibility"]["rmse"] for name, row in rows.items()}
+        self.assertLess(error["map-soft"], 0.5 * error["map-hard"])
+        self.assertLess(error["map-hard"], error["none"])
+        self.assertEqual(rows["none"]["added_milliseconds"], 0)
+        self.assertGreater(rows["map-hard"]["bytes"], 0)
+        self.assertGreater(rows["map-soft"]["picture"]["correctness_percent"],
+                           rows["none"]["picture"]["correctness_percent"])
+        names = ["reference.png"] + [n + end for n in rows for end in (".png", "-difference.png")]
+        self.assertEqual(sorted(os.listdir(self.path("out"))), sorted(names))
+
+        table = self.succeed(*command, "--techniques", "map-hard").stdout.splitlines()
+        self.assertTrue(table[0].startswith("blocker: 4 triangles"))
+        self.assertEqual([line.split()[0] for line in table[1:]], ["technique", "none", "map-hard"])
+
+    def test_all_techniques_of_a_model(self):
+        if not self.has_reference():
+            self.skipTest("no ray-traced reference in this build")
+        model = self.write("a.ply", models.ply())
+        result = json.loads(self.succeed("compare", model, "--ground", *SMALL, "--reference-samples", "64",
+                                         "--frames", "1", "--quality", "low", "--json").stdout)
+        described = json.loads(self.succeed("list", "techniques", "--json").stdout)["techniques"]
+        names = [row["technique"] for row in result["techniques"]]
+        self.assertEqual(sorted(names[1:]), sorted(one["name"] for one in described))
+        hard = [one["name"] for one in described if one["hard"]]
+        self.assertEqual(names[:1 + len(hard)], ["none"] + hard)
+
+    def test_failures(self):
+        self.fail(1, ["nonsense"], "compare", "--scene", "blocker", "--techniques", "nonsense")
+        self.fail(1, ["nonsense"], "compare", "--scene", "blocker", "--set", "nonsense=1")
+        self.fail(1, ["map-soft"], "compare", "--scene", "blocker", "--techniques", "map-hard", "--set",
+                  "map-soft:samples=4")
+        self.fail(1, ["none/out"], "compare", "--scene", "blocker", "-o", "none/out")
+        self.fail(2, ["nothing to draw"], "compare")
+        if self.has_reference():
+            self.fail(1, ["--reference-samples"], "compare", "--scene", "blocker", "--reference-samples", "0")
+
+    def test_pictures(self):
+        self.succeed("render", "--scene", "blocker", *SMALL, "-o", "a.png", "--technique", "map-hard")
+        self.succeed("render", "--scene", "blocker", *SMALL, "-o", "b.png", "--technique", "none")
+        self.succeed("render", "--scene", "blocker", "--size", "80x60", "-o", "c.png", "--technique", "none")
+        a, b = read_png(self.path("a.png")), read_png(self.path("b.png"))
+        metrics = self.compare("a.png", "b.png")
+        self.assertAlmostEqual(metrics["rmse"], numpy.sqrt((((a - b) / 255.0) ** 2).mean()), places=5)
+        self.assertAlmostEqual(metrics["correctness_percent"], 100.0 * (abs(a - b) <= 4).mean(), places=5)
+        self.assertTrue(self.compare("a.png", "a.png")["equal"])
+        self.assertIn("PSNR", self.succeed("compare", "a.png", "b.png", "-o", "d.png").stdout)
+        self.assertEqual(read_png(self.path("d.png")).shape, (120, 160, 3))
+        self.fail(1, ["c.png", "80 x 60"], "compare", "a.png", "c.png")
+        self.fail(1, ["missing.png"], "compare", "a.png", "missing.png")
+        self.fail(1, ["e.png"], "compare", "a.png", self.write("e.png", "no picture"))
+        self.fail(2, ["two at a time"], "compare", "a.png", "b.png", "c.png")
+        self.fail(2, ["--size"], "compare", "a.png", "b.png", "--size", "3x3")
+        self.fail(2, ["a.png"], "compare", "a.png", "b.png", "-o", "a.png")
+
+
+if __name__ == "__main__":
+    unittest.main()

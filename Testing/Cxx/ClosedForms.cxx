@@ -1,0 +1,177 @@
+// Closed forms: the truth at every pixel, by formula.
+//
+// Bounds (RMSE over all of the floor's pixels). N stratified samples of a convex light that one edge
+// cuts err by about 0.5 N^-0.75, the share of cells that the edge crosses: 0.003 for 1024 rays, 0.02
+// for 64 and 0.008 for 256, in the penumbra. Maps show the same samples at all pixels, so their
+// steps add up, and their edges are off by up to half a texel: 0.03 and 0.015.
+
+#include "ClosedForms.h"
+
+#include "ShadowTest.h"
+
+#include "vtkShadowScenes.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+struct Accuracy
+{
+  const char* Technique;
+  int Samples;
+  double RMSE;
+};
+
+// A technique that converges to the truth gets rows here.
+constexpr Accuracy Accuracies[] = {
+  { "ray-traced", 64, 0.015 },
+  { "ray-traced", 1024, 0.003 },
+  { "map-soft", 64, 0.03 },
+  { "map-soft", 256, 0.015 },
+};
+
+double Clamp(double value)
+{
+  return std::clamp(value, 0.0, 1.0);
+}
+
+/**
+ * Visible share of a rectangle at a height, side 2a along x and 2b along y, past a rectangle
+ * parallel to it, side 2c and 2d, both centred over the origin: by similar triangles the blocker
+ * covers an interval of the light in x and one in y.
+ */
+double SeeRectangle(const glm::dvec3& p, const glm::dvec2& light, double lightHeight,
+  const glm::dvec2& blocker, double blockerHeight)
+{
+  const double scale = (lightHeight - p.z) / (blockerHeight - p.z);
+  double covered = 1.0;
+  for (int c = 0; c < 2; ++c)
+  {
+    const double low = p[c] + scale * (-blocker[c] - p[c]);
+    const double high = p[c] + scale * (blocker[c] - p[c]);
+    covered *= light[c] > 0.0
+      ? std::max(0.0, std::min(high, light[c]) - std::max(low, -light[c])) / (2.0 * light[c])
+      : (low < 0.0 && high > 0.0 ? 1.0 : 0.0);
+  }
+  return Clamp(1.0 - covered);
+}
+}
+
+//------------------------------------------------------------------------------
+void CheckClosedForm(const std::string& technique, ShadowStage& stage, vtkActor* receiver,
+  const std::function<glm::dvec3(const glm::dvec3& point)>& soft,
+  const std::function<double(const glm::dvec3& point)>& hard, double slack)
+{
+  const ShadowOracle oracle(stage);
+  const auto inner = oracle.GetInner(1);
+  auto use = oracle.GetMask(receiver);
+  Visibility truth;
+  Visibility truthHard;
+  truth.Width = truthHard.Width = stage.Window->GetSize()[0];
+  truth.Height = truthHard.Height = stage.Window->GetSize()[1];
+  truth.Mask.assign(use.size(), 1);
+  truthHard.Mask = truth.Mask;
+  std::size_t penumbra = 0;
+  for (std::size_t i = 0; i < use.size(); ++i)
+  {
+    const glm::dvec3& p = oracle.GetPixels()[i].Position;
+    use[i] = use[i] && inner[i];
+    const glm::dvec3 v = use[i] ? soft(p) : glm::dvec3(0.0);
+    penumbra += use[i] && v.x > 0.02 && v.x < 0.98;
+    truth.V.push_back(static_cast<float>(v.x));
+    truthHard.V.push_back(static_cast<float>(use[i] ? hard(p) : 0.0));
+  }
+  // What is measured is there: half of the light's shadow at least.
+  ShadowTest::CheckAtLeast(static_cast<double>(penumbra), 0.01 * use.size(), "penumbra's pixels");
+
+  const auto measure = [&](const Parameters& parameters) {
+    Parameters all = { { "resolution", "512" } };
+    all.insert(parameters.begin(), parameters.end());
+    stage.SetPass(technique, all);
+    stage.Render();
+    return stage.GetVisibility();
+  };
+  if (ShadowStage::Describe(technique).Hard)
+  {
+    ShadowTest::CheckAtMost(Compare(measure({ { "resolution", "1024" } }), truthHard, 0.5, use).Share,
+      0.015, "pixels that differ from the truth of the light's centre");
+    return;
+  }
+  bool declared = false;
+  for (const Accuracy& accuracy : Accuracies)
+  {
+    if (technique == accuracy.Technique)
+    {
+      declared = true;
+      const std::string samples = std::to_string(accuracy.Samples);
+      const Difference difference = Compare(measure({ { "samples", samples } }), truth, 0.1, use);
+      ShadowTest::CheckAtMost(difference.RMSE, accuracy.RMSE + slack, samples + " samples: RMSE");
+    }
+  }
+  if (!declared)
+  {
+    ShadowTest::CheckAtMost(Compare(measure({ { "samples", "64" } }), truth, 0.1, use).RMSE,
+      Compare(truthHard, truth, 0.1, use).RMSE, "RMSE, with that of a hard shadow as bound");
+  }
+}
+
+//------------------------------------------------------------------------------
+// The scene that is measured against: its own closed form, that of this test, and the picture.
+SHADOW_TEST(ClosedForm, Rectangle, Each)
+{
+  if (!ShadowStage::Supports(technique, LightKind::Rectangle))
+  {
+    return;
+  }
+  ShadowStage stage(400, 400);
+  vtkShadowScenes::Build("blocker", stage.Renderer);
+  auto* floor = vtkActor::SafeDownCast(stage.Renderer->GetViewProps()->GetItemAsObject(0));
+  double worst = 0.0;
+  for (double x = -3.0; x <= 3.0; x += 0.17)
+  {
+    for (double y = -3.0; y <= 3.0; y += 0.19)
+    {
+      worst = std::max(worst,
+        std::abs(vtkShadowScenes::BlockerVisibility(x, y) -
+          SeeRectangle({ x, y, 0.0 }, { 1.0, 1.0 }, 6.0, { 1.0, 1.0 }, 2.0)));
+    }
+  }
+  ShadowTest::CheckAtMost(worst, 1e-12, "the scene's closed form against this test's");
+  CheckClosedForm(
+    technique, stage, floor,
+    [](const glm::dvec3& p) { return glm::dvec3(vtkShadowScenes::BlockerVisibility(p.x, p.y)); },
+    [](const glm::dvec3& p) { return SeeRectangle(p, { 0.0, 0.0 }, 6.0, { 1.0, 1.0 }, 2.0); });
+}
+
+//------------------------------------------------------------------------------
+// A light of 4 : 1, turned so that width and height must not be confused, both ways.
+SHADOW_TEST(ClosedForm, StretchedRectangle, Each)
+{
+  if (!ShadowStage::Supports(technique, LightKind::Rectangle))
+  {
+    return;
+  }
+  for (const bool turned : { false, true })
+  {
+    ShadowStage stage(200, 200);
+    vtkActor* floor = stage.AddFloor();
+    stage.AddQuad({ -1.0, -0.8, 1.5 }, { 2.0, 0.0, 0.0 }, { 0.0, 1.6, 0.0 });
+    vtkAreaLight* light = stage.AddLight(LightKind::Rectangle, { 0, 0, 6 }, { 0, 0, 0 });
+    // Width runs along focal direction x up = -z x y = x, or, with x up, along -y.
+    light->SetWidth(4.0);
+    light->SetHeight(1.0);
+    turned ? light->SetUpVector(1.0, 0.0, 0.0) : light->SetUpVector(0.0, 1.0, 0.0);
+    const glm::dvec2 half = turned ? glm::dvec2(0.5, 2.0) : glm::dvec2(2.0, 0.5);
+    stage.LookAt({ 3.0, -8.0, 3.5 }, { 0.0, 0.0, 0.3 });
+    CheckClosedForm(
+      technique, stage, floor,
+      [&](const glm::dvec3& p) {
+        return glm::dvec3(SeeRectangle(p, half, 6.0, { 1.0, 0.8 }, 1.5));
+      },
+      [](const glm::dvec3& p) { return SeeRectangle(p, { 0.0, 0.0 }, 6.0, { 1.0, 0.8 }, 1.5); });
+  }
+}
+

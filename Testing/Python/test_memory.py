@@ -1,0 +1,94 @@
+"""Turning shadows off gives the memory back, whatever way they are turned off."""
+
+import gc
+
+from shadow_testing import Scene, TestCase, create, main, statistics, technique_names, visibility
+
+
+def total(shadows):
+    return statistics(shadows)["bytes"]["total"]
+
+
+class Memory(TestCase):
+    def test_taken_off_the_renderer(self):
+        for name in technique_names():
+            with self.subTest(technique=name):
+                scene = Scene("basic")
+                shadows = create(name)
+                first = scene.render(shadows)
+                visibility(shadows)
+                held = total(shadows)
+                self.assertGreater(held, 0)
+                scene.renderer.SetPass(None)
+                self.assertEqual(total(shadows), 0)
+                scene.render()
+                self.assertEqual(total(shadows), 0)
+                # And on again: as at first.
+                self.assertTrue((scene.render(shadows) == first).all())
+                visibility(shadows)
+                self.assertEqual(total(shadows), held)
+
+    def test_replaced_by_another(self):
+        scene = Scene("basic")
+        passes = [create(name) for name in technique_names()]
+        for shadows in passes + passes:
+            scene.render(shadows)
+            for other in passes:
+                self.assertEqual(total(other) > 0, other is shadows)
+
+    def test_window_released_and_closed(self):
+        for name in technique_names():
+            with self.subTest(technique=name):
+                scene = Scene("blocker")
+                shadows = create(name)
+                first = scene.render(shadows)
+                scene.window.Finalize()
+                self.assertEqual(total(shadows), 0)
+                self.assertTrue((scene.render(shadows) == first).all())
+                self.assertGreater(total(shadows), 0)
+
+    def test_window_goes_before_the_pass(self):
+        for name in technique_names():
+            with self.subTest(technique=name):
+                scene = Scene("blocker")
+                shadows = create(name)
+                scene.render(shadows)
+                del scene
+                gc.collect()
+                self.assertEqual(total(shadows), 0)
+
+    def test_another_window_after_the_first_is_gone(self):
+        for name in technique_names():
+            with self.subTest(technique=name):
+                expected = Scene("blocker").render(create(name))
+                shadows = create(name)
+                Scene("blocker").render(shadows)
+                gc.collect()
+                self.assertTrue((Scene("blocker").render(shadows) == expected).all())
+
+    def test_two_windows_by_turns(self):
+        # A pass serves one renderer at a time: it moves, and takes nothing along.
+        for name in technique_names():
+            with self.subTest(technique=name):
+                shadows = create(name)
+                scenes = [Scene("blocker"), Scene("blocker", size=(100, 140))]
+                expected = [scene.render(create(name)) for scene in scenes]
+                for _ in range(2):
+                    for scene, picture in zip(scenes, expected):
+                        self.assertTrue((scene.render(shadows) == picture).all())
+
+    def test_does_not_grow(self):
+        for name in technique_names():
+            scene = Scene("blocker")
+            shadows = create(name)
+            sizes = set()
+            for i in range(6):
+                scene.renderer.GetActiveCamera().Azimuth(5)
+                scene.light.SetPosition(0.1 * i, 0, 6)
+                scene.render(shadows)
+                sizes.add(total(shadows))
+            self.assertEqual(len(sizes), 1, name)
+
+
+if __name__ == "__main__":
+    main()
