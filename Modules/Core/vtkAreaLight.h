@@ -18,7 +18,7 @@
 #define vtkAreaLight_h
 
 #include "vtkLight.h"
-#include "vtkSmartPointer.h"           // For Texture
+#include "vtkSmartPointer.h"          // For Texture
 #include "vtkSoftShadowsCoreModule.h" // For export macro
 
 class vtkTexture;

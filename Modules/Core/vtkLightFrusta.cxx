@@ -68,10 +68,9 @@ struct Frame
     : Z(axis)
   {
     const glm::dvec3 side = glm::cross(up, axis);
-    const glm::dvec3 other = std::abs(axis.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0)
-                                                    : glm::dvec3(0.0, 1.0, 0.0);
-    this->X =
-      glm::normalize(glm::length(side) > 1e-3 ? side : glm::cross(other, axis));
+    const glm::dvec3 other =
+      std::abs(axis.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
+    this->X = glm::normalize(glm::length(side) > 1e-3 ? side : glm::cross(other, axis));
     this->Y = glm::cross(axis, this->X);
   }
   glm::dvec3 operator()(const glm::dvec3& v) const
@@ -97,9 +96,8 @@ void Widen(Range& range, double border)
 
 /** Everything that a box shows of itself in a view, given how its corners project. */
 template <typename Project>
-Range RegionRange(
-  const std::vector<glm::dvec3>& box, const std::vector<std::vector<glm::dvec3>>& others,
-  Project project)
+Range RegionRange(const std::vector<glm::dvec3>& box,
+  const std::vector<std::vector<glm::dvec3>>& others, Project project)
 {
   const Range own = project(box);
   if (others.empty() || own.IsEmpty())
@@ -130,12 +128,13 @@ vtkLightFrusta::vtkLightFrusta(
   const auto& receivers = casters.GetReceivers();
   const auto extremes = light.GetExtremes();
   // Signed distance of a place on the light from a plane; of a direction, its component.
-  const auto side = [&](const glm::dvec3& place, const glm::dvec3& normal, const glm::dvec3& point) {
+  const auto side = [&](const glm::dvec3& place, const glm::dvec3& normal, const glm::dvec3& point)
+  {
     return light.IsDirectional() ? glm::dot(normal, place)
                                  : glm::dot(normal, place - this->Origin - point);
   };
-  const std::size_t flatCount = std::count_if(all.begin(), all.end(),
-    [](const vtkShadowCaster& caster) { return caster.Mesh->Flat; });
+  const std::size_t flatCount = std::count_if(
+    all.begin(), all.end(), [](const vtkShadowCaster& caster) { return caster.Mesh->Flat; });
 
   for (std::size_t i = 0; i < all.size(); ++i)
   {
@@ -164,7 +163,8 @@ vtkLightFrusta::vtkLightFrusta(
       if (lowest > 0.0 || highest < 0.0)
       {
         const double towardsLight = lowest > 0.0 ? 1.0 : -1.0;
-        const auto addIfBehind = [&](const std::array<glm::dvec3, 8>& box) {
+        const auto addIfBehind = [&](const std::array<glm::dvec3, 8>& box)
+        {
           // Touching is not behind: floors under things that stand on them.
           const double tolerance = 1e-6 * glm::length(box[7] - box[0]);
           for (const auto& corner : box)
@@ -216,14 +216,16 @@ std::vector<vtkLightView> vtkLightFrusta::GetDirectionalViews(const glm::dvec3& 
   Range range;
   for (const auto& region : this->Regions)
   {
-    range.Add(RegionRange(region.Box, region.Others, [&](const Corners& box) {
-      Range own;
-      for (const auto& corner : box)
+    range.Add(RegionRange(region.Box, region.Others,
+      [&](const Corners& box)
       {
-        own.Add(frame(corner));
-      }
-      return own;
-    }));
+        Range own;
+        for (const auto& corner : box)
+        {
+          own.Add(frame(corner));
+        }
+        return own;
+      }));
   }
   if (range.IsEmpty())
   {
@@ -311,7 +313,8 @@ bool vtkLightFrusta::AddPerspectiveView(const glm::dvec3& position, const glm::d
   const Frame frame(axis, up);
   // A box in x/z, y/z and z, clipped to |x/z|, |y/z| <= limit; the whole window where the box
   // reaches behind the light.
-  const auto project = [&](const Corners& box) {
+  const auto project = [&](const Corners& box)
+  {
     Range range;
     bool behind = false;
     bool outside[5] = { true, true, true, true, true };
@@ -366,9 +369,8 @@ bool vtkLightFrusta::AddPerspectiveView(const glm::dvec3& position, const glm::d
 
   const glm::dvec2 size(range.High - range.Low);
   const glm::dvec2 centre = 0.5 * (glm::dvec2(range.High) + glm::dvec2(range.Low));
-  const auto row = [&](const glm::dvec3& direction, double offset) {
-    return glm::dvec4(direction, offset - glm::dot(direction, position));
-  };
+  const auto row = [&](const glm::dvec3& direction, double offset)
+  { return glm::dvec4(direction, offset - glm::dot(direction, position)); };
   glm::dmat4 rows;
   rows[0] = row((frame.X - centre.x * frame.Z) * (2.0 / size.x), 0.0);
   rows[1] = row((frame.Y - centre.y * frame.Z) * (2.0 / size.y), 0.0);

@@ -47,17 +47,17 @@ std::array<glm::dvec3, 8> BoxCorners(const glm::dvec3& low, const glm::dvec3& hi
 bool MakesItsOwnGeometry(vtkMapper* mapper)
 {
   return mapper->IsA("vtkPointGaussianMapper") || mapper->IsA("vtkOpenGLSphereMapper") ||
-    mapper->IsA("vtkOpenGLStickMapper");
+         mapper->IsA("vtkOpenGLStickMapper");
 }
 
 bool Casts(vtkActor* actor)
 {
   vtkMapper* mapper = actor->GetMapper();
   return mapper &&
-    (mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkCompositePolyDataMapper")) &&
-    !MakesItsOwnGeometry(mapper) && mapper->GetNumberOfInputConnections(0) > 0 &&
-    actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
-    !actor->HasTranslucentPolygonalGeometry() && vtkShadowPass::GetCasting(actor);
+         (mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkCompositePolyDataMapper")) &&
+         !MakesItsOwnGeometry(mapper) && mapper->GetNumberOfInputConnections(0) > 0 &&
+         actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
+         !actor->HasTranslucentPolygonalGeometry() && vtkShadowPass::GetCasting(actor);
 }
 
 /** The polygon data sets that a mapper draws, brought up to date. */
@@ -125,7 +125,8 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer)
 
   std::vector<Placed> placed;
   std::vector<std::array<double, 6>> receivers;
-  const auto addActor = [&](vtkActor* actor, vtkMatrix4x4* matrix) {
+  const auto addActor = [&](vtkActor* actor, vtkMatrix4x4* matrix)
+  {
     if (!Casts(actor))
     {
       if (const double* bounds = actor->GetBounds())
@@ -189,8 +190,7 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer)
   for (const auto& item : placed)
   {
     vtkShadowCaster caster{ item.Mesh, item.Prop, worldToWC * item.MeshToWorld, {} };
-    changed = changed || meshesChanged ||
-      caster.MeshToWC != this->Casters[casters.size()].MeshToWC;
+    changed = changed || meshesChanged || caster.MeshToWC != this->Casters[casters.size()].MeshToWC;
     caster.Corners = BoxCorners(item.Mesh->Minimum, item.Mesh->Maximum);
     for (auto& corner : caster.Corners)
     {
@@ -203,8 +203,8 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer)
   std::vector<std::array<glm::dvec3, 8>> receiverBoxes;
   for (const auto& b : receivers)
   {
-    receiverBoxes.push_back(BoxCorners(glm::dvec3(b[0], b[2], b[4]) - this->Origin,
-      glm::dvec3(b[1], b[3], b[5]) - this->Origin));
+    receiverBoxes.push_back(BoxCorners(
+      glm::dvec3(b[0], b[2], b[4]) - this->Origin, glm::dvec3(b[1], b[3], b[5]) - this->Origin));
   }
   changed = changed || receiverBoxes != this->Receivers;
   this->Receivers = std::move(receiverBoxes);
@@ -292,8 +292,8 @@ void vtkShadowCasters::Draw(
 {
   this->Upload(window);
   Buffers& gpu = *this->GPU;
-  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
-    vtkShadowCasterVS, vtkShadowCasterFS, "");
+  vtkShaderProgram* program =
+    window->GetShaderCache()->ReadyShaderProgram(vtkShadowCasterVS, vtkShadowCasterFS, "");
   if (!program)
   {
     return; // the shader cache has reported why
@@ -310,8 +310,8 @@ void vtkShadowCasters::Draw(
   {
     const glm::mat4 matrix(WCToClip * this->Casters[i].MeshToWC);
     program->SetUniformMatrix4x4("MCToClip", const_cast<float*>(glm::value_ptr(matrix)));
-    glDrawElements(GL_TRIANGLES, gpu.Counts[i], GL_UNSIGNED_INT,
-      reinterpret_cast<const void*>(gpu.Offsets[i]));
+    glDrawElements(
+      GL_TRIANGLES, gpu.Counts[i], GL_UNSIGNED_INT, reinterpret_cast<const void*>(gpu.Offsets[i]));
   }
   gpu.VertexArray->Release();
 }

@@ -12,7 +12,7 @@
 #ifndef vtkShadowCasters_h
 #define vtkShadowCasters_h
 
-#include "vtkShadowMesh.h"             // For vtkShadowMesh
+#include "vtkShadowMesh.h"            // For vtkShadowMesh
 #include "vtkSoftShadowsCoreModule.h" // For export macro
 
 #include <glm/mat4x4.hpp>
@@ -73,8 +73,8 @@ public:
    * Draw casters (indices into Get()) with a program whose vertex shader is
    * vtkShadowCasterVS.glsl, ready to be drawn into the bound framebuffer. WCToClip is set on it.
    */
-  void Draw(vtkOpenGLRenderWindow* window, const glm::dmat4& WCToClip,
-    const std::vector<int>& casters);
+  void Draw(
+    vtkOpenGLRenderWindow* window, const glm::dmat4& WCToClip, const std::vector<int>& casters);
 
   /** Bytes held on the GPU. */
   std::size_t GetGPUBytes() const;

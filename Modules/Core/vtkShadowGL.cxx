@@ -19,7 +19,7 @@ bool vtkShadowTexture::Allocate(
   vtkOpenGLRenderWindow* window, Format format, int width, int height, int layers)
 {
   if (this->Handle && this->TexelFormat == format && this->Width == width &&
-    this->Height == height && this->Layers == layers)
+      this->Height == height && this->Layers == layers)
   {
     return true;
   }
@@ -43,8 +43,8 @@ bool vtkShadowTexture::Allocate(
   while (glGetError() != GL_NO_ERROR)
   {
   }
-  glTexImage3D(this->Target, 0, layout.Internal, width, height, layers, 0, layout.External,
-    GL_FLOAT, nullptr);
+  glTexImage3D(
+    this->Target, 0, layout.Internal, width, height, layers, 0, layout.External, GL_FLOAT, nullptr);
   const bool made = glGetError() == GL_NO_ERROR;
   glTexParameteri(this->Target, GL_TEXTURE_MAX_LEVEL, 0);
   // Outside of a depth map there is light.
@@ -96,8 +96,8 @@ void vtkShadowTexture::UploadBuffer(
   }
   this->Bytes = texels.size() * sizeof(glm::vec4);
   glBindBuffer(GL_TEXTURE_BUFFER, this->Buffer);
-  glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(this->Bytes), texels.data(),
-    GL_STATIC_DRAW);
+  glBufferData(
+    GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(this->Bytes), texels.data(), GL_STATIC_DRAW);
   glBindBuffer(GL_TEXTURE_BUFFER, 0);
   const bool active = this->Unit >= 0;
   this->Bind(window);
@@ -109,8 +109,7 @@ void vtkShadowTexture::UploadBuffer(
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowTexture::UploadLayer(
-  vtkOpenGLRenderWindow* window, int layer, const float* values)
+void vtkShadowTexture::UploadLayer(vtkOpenGLRenderWindow* window, int layer, const float* values)
 {
   const bool active = this->Unit >= 0;
   this->Bind(window);
@@ -165,9 +164,8 @@ void vtkShadowTexture::Release(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-vtkShadowFramebuffer::Scope::Scope(vtkOpenGLRenderWindow* window,
-  vtkShadowFramebuffer& framebuffer, const vtkShadowTexture* color, const vtkShadowTexture* depth,
-  int layer)
+vtkShadowFramebuffer::Scope::Scope(vtkOpenGLRenderWindow* window, vtkShadowFramebuffer& framebuffer,
+  const vtkShadowTexture* color, const vtkShadowTexture* depth, int layer)
   : Window(window)
   , Color(color)
   , Depth(depth)
@@ -222,8 +220,7 @@ vtkShadowFramebuffer::Scope::~Scope()
 {
   vtkOpenGLState* state = this->Window->GetState();
   state->PopFramebufferBindings();
-  state->vtkglViewport(
-    this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
+  state->vtkglViewport(this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
   state->vtkglScissor(this->Scissor[0], this->Scissor[1], this->Scissor[2], this->Scissor[3]);
   state->SetEnumState(GL_SCISSOR_TEST, this->ScissorTest);
   state->SetEnumState(GL_BLEND, this->Blend);

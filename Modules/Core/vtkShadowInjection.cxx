@@ -39,10 +39,10 @@ bool MultiplyLightColors(std::string& source, const std::vector<int>& lightOfSlo
       ++end;
     }
     const std::string number = source.substr(at + token.size(), end - at - token.size());
-    const bool declared = at >= declaration.size() &&
-      source.compare(at - declaration.size(), declaration.size(), declaration) == 0;
+    const bool declared = at >= declaration.size() && source.compare(at - declaration.size(),
+                                                        declaration.size(), declaration) == 0;
     const bool whole = !number.empty() && (at == 0 || !IsWord(source[at - 1])) &&
-      (end == source.size() || !IsWord(source[end]));
+                       (end == source.size() || !IsWord(source[end]));
     result += source.substr(from, end - from);
     if (whole && !declared)
     {
@@ -65,7 +65,7 @@ bool MultiplyLightColors(std::string& source, const std::vector<int>& lightOfSlo
 bool vtkShadowInjection::Code::operator==(const Code& other) const
 {
   return this->Declarations == other.Declarations && this->LightOfSlot == other.LightOfSlot &&
-    this->Receivers == other.Receivers && this->Shading == other.Shading;
+         this->Receivers == other.Receivers && this->Shading == other.Shading;
 }
 
 //------------------------------------------------------------------------------
@@ -73,8 +73,8 @@ void vtkShadowInjection::Mark(std::string& source)
 {
   vtkShaderProgram::Substitute(
     source, "//VTK::Light::Dec", "//SHADOW::Dec\n//VTK::Light::Dec", false);
-  vtkShaderProgram::Substitute(source, "//VTK::UniformFlow::Impl",
-    "//SHADOW::UniformFlow\n  //VTK::UniformFlow::Impl", false);
+  vtkShaderProgram::Substitute(
+    source, "//VTK::UniformFlow::Impl", "//SHADOW::UniformFlow\n  //VTK::UniformFlow::Impl", false);
   vtkShaderProgram::Substitute(
     source, "//VTK::Light::Impl", "//SHADOW::Impl\n  //VTK::Light::Impl", false);
 }
@@ -103,8 +103,8 @@ void vtkShadowInjection::Fill(std::string& source, const Code& code)
   // Imposters move the position after its derivatives are taken; their own normal is exact.
   const bool imposter = source.find("gl_FragDepth =") != std::string::npos;
   std::string body = imposter
-    ? "vec3 shadowNormalVC = normalVCVSOutput;\n"
-    : "vec3 shadowNormalVC = shadowGeometricNormal(shadowDxVC, shadowDyVC);\n";
+                       ? "vec3 shadowNormalVC = normalVCVSOutput;\n"
+                       : "vec3 shadowNormalVC = shadowGeometricNormal(shadowDxVC, shadowDyVC);\n";
   if (code.Receivers)
   {
     body += "  if (shadowWritesReceivers)\n"
@@ -123,8 +123,8 @@ void vtkShadowInjection::Fill(std::string& source, const Code& code)
       if (code.LightOfSlot[slot] >= 0)
       {
         body += "  SHADOW_VISIBILITY shadowFactor" + std::to_string(slot) + " = shadowFactor(" +
-          std::to_string(code.LightOfSlot[slot]) +
-          ", vertexVC.xyz, shadowNormalVC, shadowFootprint);\n";
+                std::to_string(code.LightOfSlot[slot]) +
+                ", vertexVC.xyz, shadowNormalVC, shadowFootprint);\n";
       }
     }
   }
@@ -148,8 +148,8 @@ std::string vtkShadowInjection::GetEvaluation(
 std::string vtkShadowPass::Internals::GetPreamble() const
 {
   std::string text = "#define SHADOW_LIGHTS " +
-    std::to_string(std::max<std::size_t>(1, this->Frame.Lights.size())) +
-    "\n#define SHADOW_VISIBILITY " + (this->Frame.Color ? "vec3" : "float") + "\n";
+                     std::to_string(std::max<std::size_t>(1, this->Frame.Lights.size())) +
+                     "\n#define SHADOW_VISIBILITY " + (this->Frame.Color ? "vec3" : "float") + "\n";
   return this->Frame.Hard ? text + "#define SHADOW_HARD\n" : text;
 }
 
@@ -160,7 +160,8 @@ void vtkShadowPass::Internals::SetLights(vtkShaderProgram* program)
   float u[MaximumLights][4] = {};
   float v[MaximumLights][4] = {};
   const glm::dmat4 worldToVC = this->Frame.GetWorldToVC();
-  const auto set = [&worldToVC](float* target, const glm::dvec3& vector, double isPoint, double w) {
+  const auto set = [&worldToVC](float* target, const glm::dvec3& vector, double isPoint, double w)
+  {
     const glm::dvec4 vectorVC = worldToVC * glm::dvec4(vector, isPoint);
     for (int c = 0; c < 3; ++c)
     {
@@ -216,11 +217,10 @@ void vtkShadowPass::UpdateInjection(bool writesReceivers)
   if (code.Receivers || code.Shading)
   {
     const bool forward = code.Shading && !my.ScreenSpace;
-    code.Declarations = my.GetPreamble() +
-      (code.Receivers ? "#define SHADOW_RECEIVERS\n" : "") +
-      (code.Shading && my.ScreenSpace ? "#define SHADOW_BUFFER\n" : "") +
-      (forward ? "#define SHADOW_FORWARD\n" : "") + vtkShadowLightsFS +
-      (forward ? this->GetVisibilityGLSL() : "") + vtkShadowInjectFS;
+    code.Declarations = my.GetPreamble() + (code.Receivers ? "#define SHADOW_RECEIVERS\n" : "") +
+                        (code.Shading && my.ScreenSpace ? "#define SHADOW_BUFFER\n" : "") +
+                        (forward ? "#define SHADOW_FORWARD\n" : "") + vtkShadowLightsFS +
+                        (forward ? this->GetVisibilityGLSL() : "") + vtkShadowInjectFS;
     for (std::size_t i = 0; i < my.Frame.Lights.size(); ++i)
     {
       code.LightOfSlot.resize(
@@ -257,8 +257,8 @@ bool vtkShadowPass::SetShaderParameters(
   {
     attenuation[i] = static_cast<float>(my.Frame.Lights[i].Attenuation);
   }
-  program->SetUniform1fv("shadowAttenuation",
-    std::max(1, static_cast<int>(my.Frame.Lights.size())), attenuation.data());
+  program->SetUniform1fv(
+    "shadowAttenuation", std::max(1, static_cast<int>(my.Frame.Lights.size())), attenuation.data());
   program->SetUniformi("shadowReceives", receives);
   program->SetUniformi("shadowCasts", vtkShadowPass::GetCasting(prop));
   if (my.ScreenSpace)
@@ -273,8 +273,8 @@ bool vtkShadowPass::SetShaderParameters(
   }
   vtkCamera* camera = my.Renderer->GetActiveCamera();
   // Anything of the magnitude of a pixel at the focal point does.
-  const double height = camera->GetParallelProjection() ? camera->GetParallelScale()
-                                                        : camera->GetDistance();
+  const double height =
+    camera->GetParallelProjection() ? camera->GetParallelScale() : camera->GetDistance();
   const bool mirrors = glm::determinant(glm::dmat3(my.Frame.VCToWC)) < 0.0;
   program->SetUniformf("shadowUnit", static_cast<float>((mirrors ? -500.0 : 500.0) / height));
   my.SetLights(program);

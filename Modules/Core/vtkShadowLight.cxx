@@ -24,8 +24,8 @@ glm::dvec3 Perpendicular(const glm::dvec3& axis)
 {
   const glm::dvec3 a = glm::abs(axis);
   const glm::dvec3 least = a.x <= a.y && a.x <= a.z
-    ? glm::dvec3(1.0, 0.0, 0.0)
-    : (a.y <= a.z ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0));
+                             ? glm::dvec3(1.0, 0.0, 0.0)
+                             : (a.y <= a.z ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0));
   return glm::normalize(glm::cross(axis, least));
 }
 
@@ -94,8 +94,8 @@ std::vector<vtkShadowLight> vtkShadowLight::Gather(vtkRenderer* renderer, double
     light.Slot = slot++;
     light.Attenuation = source->GetShadowAttenuation();
     const double* color = source->GetDiffuseColor();
-    const bool black = source->GetIntensity() <= 0.0 ||
-      (color[0] <= 0.0 && color[1] <= 0.0 && color[2] <= 0.0);
+    const bool black =
+      source->GetIntensity() <= 0.0 || (color[0] <= 0.0 && color[1] <= 0.0 && color[2] <= 0.0);
     if (black || !(light.Attenuation > 0.0) || !vtkShadowPass::GetLightCasting(source))
     {
       continue;
@@ -219,9 +219,8 @@ glm::dvec3 vtkShadowLight::GetEmission(const glm::dvec2& unit) const
   for (int c = 0; c < 3; ++c)
   {
     const int channel = components >= 3 ? c : 0;
-    const auto at = [&](int x, int y) {
-      return this->Emission->GetScalarComponentAsDouble(x, y, 0, channel) / full;
-    };
+    const auto at = [&](int x, int y)
+    { return this->Emission->GetScalarComponentAsDouble(x, y, 0, channel) / full; };
     result[c] = glm::mix(glm::mix(at(low.x, low.y), at(high.x, low.y), t.x),
       glm::mix(at(low.x, high.y), at(high.x, high.y), t.x), t.y);
   }
@@ -263,7 +262,7 @@ std::vector<vtkLightSample> vtkShadowLight::GetSamples(int count, const glm::dve
 bool vtkShadowLight::SameGeometry(const vtkShadowLight& other) const
 {
   return std::tie(this->Kind, this->Position, this->Direction, this->U, this->V, this->ConeAngle,
-           this->Emission, this->EmissionTime) ==
-    std::tie(other.Kind, other.Position, other.Direction, other.U, other.V, other.ConeAngle,
-      other.Emission, other.EmissionTime);
+           this->Emission,
+           this->EmissionTime) == std::tie(other.Kind, other.Position, other.Direction, other.U,
+                                    other.V, other.ConeAngle, other.Emission, other.EmissionTime);
 }

@@ -4,10 +4,10 @@
 #ifndef vtkShadowLight_h
 #define vtkShadowLight_h
 
-#include "vtkImageData.h"              // For Emission
-#include "vtkSmartPointer.h"           // For Emission
+#include "vtkImageData.h"             // For Emission
+#include "vtkSmartPointer.h"          // For Emission
 #include "vtkSoftShadowsCoreModule.h" // For export macro
-#include "vtkType.h"                   // For vtkMTimeType
+#include "vtkType.h"                  // For vtkMTimeType
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>

@@ -52,7 +52,8 @@ vtkSmartPointer<vtkPolyData> Triangulate(vtkPolyData* source)
 /** The plane of the largest triangle, if all vertices lie in it to float precision. */
 void FindPlane(vtkShadowMesh& mesh)
 {
-  const auto at = [&mesh](std::size_t i) {
+  const auto at = [&mesh](std::size_t i)
+  {
     const float* p = &mesh.Positions[3 * mesh.Indices[i]];
     return glm::dvec3(p[0], p[1], p[2]);
   };
@@ -121,7 +122,7 @@ std::shared_ptr<const vtkShadowMesh> vtkShadowMesh::Make(vtkPolyData* source)
       // Edges scaled to 1 first: a small triangle is no degenerate one, whatever the unit.
       const double longest = std::max(glm::length(b - a), glm::length(c - a));
       if (IsFinite(a) && IsFinite(b) && IsFinite(c) && longest > 0.0 &&
-        glm::length(glm::cross((b - a) / longest, (c - a) / longest)) > 0.0)
+          glm::length(glm::cross((b - a) / longest, (c - a) / longest)) > 0.0)
       {
         kept.insert(kept.end(), ids, ids + 3);
         continue;

@@ -3,9 +3,9 @@
 #ifndef vtkShadowMesh_h
 #define vtkShadowMesh_h
 
-#include "vtkSmartPointer.h"           // For Source
+#include "vtkSmartPointer.h"          // For Source
 #include "vtkSoftShadowsCoreModule.h" // For export macro
-#include "vtkType.h"                   // For vtkMTimeType
+#include "vtkType.h"                  // For vtkMTimeType
 
 #include <glm/vec3.hpp>
 

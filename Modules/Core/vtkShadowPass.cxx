@@ -3,13 +3,13 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
+#include "vtkFloatArray.h"
 #include "vtkLightCollection.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLError.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLState.h"
 #include "vtkPointData.h"
-#include "vtkFloatArray.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderState.h"
 #include "vtkShaderProgram.h"
@@ -115,7 +115,8 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
   my.LightNotes.clear();
   if (!my.Technique)
   {
-    this->WarnOnce(std::string(this->GetClassName()) + " has no technique: its module is not linked.");
+    this->WarnOnce(
+      std::string(this->GetClassName()) + " has no technique: its module is not linked.");
     return false;
   }
   if (!this->IsSupported(my.Window))
@@ -164,14 +165,14 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
 
   frame.Color = std::any_of(frame.Lights.begin(), frame.Lights.end(),
     [](const vtkShadowLight& light) { return light.Emission != nullptr; });
-  frame.Hard = my.Technique->Hard ||
-    std::all_of(frame.Lights.begin(), frame.Lights.end(),
-      [](const vtkShadowLight& light) { return light.IsPoint(); });
+  frame.Hard = my.Technique->Hard || std::all_of(frame.Lights.begin(), frame.Lights.end(),
+                                       [](const vtkShadowLight& light) { return light.IsPoint(); });
   const glm::dmat4 worldToVC = glm::transpose(
     glm::make_mat4(renderer->GetActiveCamera()->GetModelViewTransformMatrix()->GetData()));
   frame.VCToWC = glm::translate(glm::dmat4(1.0), -my.Casters.GetOrigin()) * glm::inverse(worldToVC);
   vtkCamera* camera = renderer->GetActiveCamera();
-  frame.LeastRounding = my.Casters.GetSize() / 4194304.0 +
+  frame.LeastRounding =
+    my.Casters.GetSize() / 4194304.0 +
     (camera->GetParallelProjection() ? camera->GetParallelScale() / 65536.0 : 0.0);
   int origin[2];
   renderer->GetTiledSizeAndOrigin(&my.Size[0], &my.Size[1], &origin[0], &origin[1]);
@@ -207,12 +208,14 @@ void vtkShadowPass::MarkProps(bool mark)
     my.Marked = my.Props;
     for (vtkProp* prop : my.Props)
     {
-      vtkShadowPass::ForEachActor(prop, [&my, prop](vtkActor* actor, vtkMatrix4x4*) {
-        if (actor != prop)
+      vtkShadowPass::ForEachActor(prop,
+        [&my, prop](vtkActor* actor, vtkMatrix4x4*)
         {
-          my.Marked.push_back(actor);
-        }
-      });
+          if (actor != prop)
+          {
+            my.Marked.push_back(actor);
+          }
+        });
     }
     std::sort(my.Marked.begin(), my.Marked.end());
     my.Marked.erase(std::unique(my.Marked.begin(), my.Marked.end()), my.Marked.end());
@@ -311,14 +314,16 @@ void vtkShadowPass::DrawEvaluation(
     my.GetPreamble() + (buffer.WantsCost() ? "#define SHADOW_OUTPUT_COST\n" : "") +
       (share > 0.0 ? "#define SHADOW_OUTPUT_CHANGE\n" : ""),
     this->GetVisibilityGLSL());
-  this->DrawQuad(source, [&](vtkShaderProgram* program) {
-    buffer.GetReceivers().Activate(frame.Window);
-    program->SetUniformi("shadowReceivers", buffer.GetReceivers().GetUnit());
-    program->SetUniformi("shadowLight", light);
-    program->SetUniformf("shadowShare", static_cast<float>(share));
-    my.SetLights(program);
-    this->SetVisibilityParameters(program);
-  });
+  this->DrawQuad(source,
+    [&](vtkShaderProgram* program)
+    {
+      buffer.GetReceivers().Activate(frame.Window);
+      program->SetUniformi("shadowReceivers", buffer.GetReceivers().GetUnit());
+      program->SetUniformi("shadowLight", light);
+      program->SetUniformf("shadowShare", static_cast<float>(share));
+      my.SetLights(program);
+      this->SetVisibilityParameters(program);
+    });
   buffer.GetReceivers().Deactivate(frame.Window);
 }
 
@@ -327,8 +332,8 @@ void vtkShadowPass::DrawQuad(
   const std::string& fragmentShader, const std::function<void(vtkShaderProgram*)>& setParameters)
 {
   Internals& my = *this->Internal;
-  vtkShaderProgram* program = my.Window->GetShaderCache()->ReadyShaderProgram(
-    vtkShadowQuadVS, fragmentShader.c_str(), "");
+  vtkShaderProgram* program =
+    my.Window->GetShaderCache()->ReadyShaderProgram(vtkShadowQuadVS, fragmentShader.c_str(), "");
   if (!program)
   {
     return; // the shader cache has reported why
@@ -409,19 +414,21 @@ void vtkShadowPass::DrawDebug()
   int viewport[4];
   state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   std::string source = vtkShadowDebugFS;
-  vtkShaderProgram::Substitute(source, "SHADOW_DEBUG_SWIZZLE",
-    my.Buffer.IsColor() && !cost ? "texel.rgb" : "texel.rrr");
+  vtkShaderProgram::Substitute(
+    source, "SHADOW_DEBUG_SWIZZLE", my.Buffer.IsColor() && !cost ? "texel.rgb" : "texel.rrr");
   my.Buffer.GetTarget().Activate(my.Window);
   my.Buffer.GetReceivers().Activate(my.Window);
-  this->DrawQuad(source, [&](vtkShaderProgram* program) {
-    program->SetUniformi("shadowReceivers", my.Buffer.GetReceivers().GetUnit());
-    program->SetUniformi("shadowBuffer", my.Buffer.GetTarget().GetUnit());
-    program->SetUniform2i("shadowOrigin", viewport);
-    program->SetUniformi("shadowLights", static_cast<int>(my.Frame.Lights.size()));
-    program->SetUniformi("shadowView", static_cast<int>(found - common));
-    program->SetUniformf(
-      "shadowCostScale", static_cast<float>(1.0 / std::max(1.0, this->GetMaximumCost())));
-  });
+  this->DrawQuad(source,
+    [&](vtkShaderProgram* program)
+    {
+      program->SetUniformi("shadowReceivers", my.Buffer.GetReceivers().GetUnit());
+      program->SetUniformi("shadowBuffer", my.Buffer.GetTarget().GetUnit());
+      program->SetUniform2i("shadowOrigin", viewport);
+      program->SetUniformi("shadowLights", static_cast<int>(my.Frame.Lights.size()));
+      program->SetUniformi("shadowView", static_cast<int>(found - common));
+      program->SetUniformf(
+        "shadowCostScale", static_cast<float>(1.0 / std::max(1.0, this->GetMaximumCost())));
+    });
   my.Buffer.GetReceivers().Deactivate(my.Window);
   my.Buffer.GetTarget().Deactivate(my.Window);
   my.Buffer.SetWantsCost(my.Window, false);
@@ -477,8 +484,7 @@ vtkImageData* vtkShadowPass::GetVisibilityOfLayer(int layer)
   const vtkIdType pixels = static_cast<vtkIdType>(width) * height;
   const auto receivers = my.Buffer.ReadReceivers(my.Window);
   const bool shadowed = my.Active && layer >= 0;
-  const auto values =
-    shadowed ? my.Buffer.ReadVisibility(my.Window, layer) : std::vector<float>();
+  const auto values = shadowed ? my.Buffer.ReadVisibility(my.Window, layer) : std::vector<float>();
 
   vtkNew<vtkFloatArray> visibility;
   visibility->SetName("Visibility");
@@ -546,8 +552,8 @@ void vtkShadowPass::ReleaseWhenRemoved(vtkObject*, unsigned long event, void*)
   // end cannot be what frees the GPU's memory.
   Internals& my = *this->Internal;
   const bool removed = event == vtkCommand::EndEvent
-    ? !my.Drawn
-    : my.WasRoot && my.Renderer && my.Renderer->GetPass() != this;
+                         ? !my.Drawn
+                         : my.WasRoot && my.Renderer && my.Renderer->GetPass() != this;
   if (event == vtkCommand::EndEvent)
   {
     my.Drawn = false;

@@ -248,8 +248,8 @@ protected:
   /** Free all that is on the GPU; a subclass's destructor calls this while it can still free. */
   void Detach();
   /** Draw a fragment shader over the viewport that is set. */
-  void DrawQuad(const std::string& fragmentShader,
-    const std::function<void(vtkShaderProgram*)>& setParameters);
+  void DrawQuad(
+    const std::string& fragmentShader, const std::function<void(vtkShaderProgram*)>& setParameters);
   /** Say something once until the technique or a parameter is set again. */
   void WarnOnce(const std::string& message);
 

@@ -52,7 +52,7 @@ std::string Normalize(const vtkShadowParameter& parameter, const std::string& va
   const bool whole = parameter.ValueType != Type::Integer || number == std::floor(number);
   // The comparisons are false for NaN.
   const bool valid = !value.empty() && *end == '\0' && whole && number >= parameter.Minimum &&
-    number <= parameter.Maximum;
+                     number <= parameter.Maximum;
   return valid ? value : "";
 }
 

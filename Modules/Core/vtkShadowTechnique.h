@@ -65,8 +65,8 @@ struct vtkShadowTechnique
   /** True where one sample of the light decides, so that the light's size does not matter. */
   bool Hard = false;
 
-  static constexpr std::array<const char*, 6> ShapeNames = { "point", "sphere", "disk",
-    "rectangle", "directional", "textured" };
+  static constexpr std::array<const char*, 6> ShapeNames = { "point", "sphere", "disk", "rectangle",
+    "directional", "textured" };
 };
 
 /**
@@ -87,7 +87,7 @@ public:
  * Define in a family's module what VTK's autoinit calls, so that linking a family is enough to have
  * its techniques: the call keeps the linker from dropping the library.
  */
-#define vtkShadowTechniqueAutoInit(exportMacro, library)                                           \
+#define vtkShadowTechniqueAutoInit(exportMacro, library) \
   exportMacro void library##_AutoInit_Construct() {}
 
 #endif

@@ -29,8 +29,10 @@ const vtkShadowTechnique* FindOrReport(const std::string& name)
     {
       known += (known.empty() ? "" : ", ") + other.Name;
     }
-    vtkErrorWithObjectMacro(nullptr, "Unknown shadow technique '" << name << "'. Known: "
-        << (known.empty() ? "none; no family module is linked" : known) << ".");
+    vtkErrorWithObjectMacro(nullptr,
+      "Unknown shadow technique '"
+        << name << "'. Known: " << (known.empty() ? "none; no family module is linked" : known)
+        << ".");
   }
   return technique;
 }
@@ -68,7 +70,7 @@ nlohmann::ordered_json ToJson(const vtkShadowParameter& parameter)
   nlohmann::ordered_json json = { { "name", parameter.Name },
     { "type", ToString(parameter.ValueType) }, { "default", parameter.Default } };
   if (parameter.ValueType == vtkShadowParameter::Type::Integer ||
-    parameter.ValueType == vtkShadowParameter::Type::Real)
+      parameter.ValueType == vtkShadowParameter::Type::Real)
   {
     json["minimum"] = parameter.Minimum;
     json["maximum"] = parameter.Maximum;
@@ -143,8 +145,9 @@ const char* vtkShadowTechniques::GetName(int i)
 {
   if (i < 0 || i >= vtkShadowTechniques::GetNumberOfTechniques())
   {
-    vtkErrorWithObjectMacro(nullptr, "There is no technique " << i << "; there are "
-        << vtkShadowTechniques::GetNumberOfTechniques() << ".");
+    vtkErrorWithObjectMacro(nullptr, "There is no technique "
+                                       << i << "; there are "
+                                       << vtkShadowTechniques::GetNumberOfTechniques() << ".");
     return nullptr;
   }
   return Registry()[i].Name.c_str();

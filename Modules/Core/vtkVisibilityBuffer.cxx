@@ -11,9 +11,9 @@ bool vtkVisibilityBuffer::Allocate(
   using Format = vtkShadowTexture::Format;
   this->Color = color;
   return this->Receivers.Allocate(window, Format::Float4, width, height, 1) &&
-    this->ReceiverDepth.Allocate(window, Format::Depth, width, height, 1) &&
-    this->Visibility.Allocate(
-      window, color ? Format::Float4 : Format::Float1, width, height, lights);
+         this->ReceiverDepth.Allocate(window, Format::Depth, width, height, 1) &&
+         this->Visibility.Allocate(
+           window, color ? Format::Float4 : Format::Float1, width, height, lights);
 }
 
 //------------------------------------------------------------------------------
@@ -57,8 +57,8 @@ std::vector<float> vtkVisibilityBuffer::ReadVisibility(vtkOpenGLRenderWindow* wi
 //------------------------------------------------------------------------------
 std::size_t vtkVisibilityBuffer::GetGPUBytes() const
 {
-  return this->Receivers.GetBytes() + this->ReceiverDepth.GetBytes() +
-    this->Visibility.GetBytes() + this->Cost.GetBytes();
+  return this->Receivers.GetBytes() + this->ReceiverDepth.GetBytes() + this->Visibility.GetBytes() +
+         this->Cost.GetBytes();
 }
 
 //------------------------------------------------------------------------------

@@ -9,7 +9,7 @@
 #ifndef vtkVisibilityBuffer_h
 #define vtkVisibilityBuffer_h
 
-#include "vtkShadowGL.h"               // For textures
+#include "vtkShadowGL.h"              // For textures
 #include "vtkSoftShadowsCoreModule.h" // For export macro
 
 #include <glm/vec4.hpp>

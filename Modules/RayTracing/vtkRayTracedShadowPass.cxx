@@ -15,50 +15,53 @@
 vtkStandardNewMacro(vtkRayTracedShadowPass);
 vtkShadowTechniqueAutoInit(VTKSOFTSHADOWSRAYTRACING_EXPORT, vtkSoftShadowsRayTracing)
 
-namespace
+  namespace
 {
-/** What a receiver's position can be wrong, relative to its magnitude: see shadowRounding. */
-constexpr double PositionError = 1.0 / 65536.0;
+  /** What a receiver's position can be wrong, relative to its magnitude: see shadowRounding. */
+  constexpr double PositionError = 1.0 / 65536.0;
 
-vtkShadowTechnique RayTraced()
-{
-  using Support = vtkShadowShapeSupport;
-  vtkShadowTechnique t;
-  t.Name = "ray-traced";
-  t.Title = "Ray-traced shadows";
-  t.Paper = "Cook, Porter and Carpenter, Distributed ray tracing, SIGGRAPH 1984; Wald et al., Embree, "
-            "SIGGRAPH 2014";
-  t.ClassName = "vtkRayTracedShadowPass";
-  t.New = [] { return static_cast<vtkShadowPass*>(vtkRayTracedShadowPass::New()); };
-  t.LightShapes.fill(Support::Exact);
-  t.Parameters = { { "samples", vtkShadowParameter::Type::Integer, "64", 1, 16384, {}, "rays",
-    "Rays from each pixel to each light", { "4", "16", "64", "1024" } } };
-  t.Resources = { "on the CPU: Embree's structures, about 100 bytes a triangle",
-    "on the GPU: receivers 16 bytes, depth 4 bytes, visibility 4 bytes a light (16 textured), each a "
-    "pixel" };
-  t.Limits = { "Noise of the order of 1 / samples^0.75 in penumbrae.",
-    "Translucent surfaces and further samples of a pixel take the visibility of the opaque surface "
-    "next to them." };
-  return t;
-}
-
-const vtkShadowTechniqueRegistration registration(RayTraced());
-
-/** The inverse of shadowPackNormal in vtkShadowLightsFS.glsl. */
-glm::dvec3 UnpackNormal(double packed)
-{
-  const double bits = packed - 1.0;
-  double x = std::fmod(bits, 4096.0) / 4095.0 * 2.0 - 1.0;
-  double y = std::floor(bits / 4096.0) / 4095.0 * 2.0 - 1.0;
-  const double z = 1.0 - std::abs(x) - std::abs(y);
-  if (z < 0.0)
+  vtkShadowTechnique RayTraced()
   {
-    const double fold = (1.0 - std::abs(y)) * (x >= 0.0 ? 1.0 : -1.0);
-    y = (1.0 - std::abs(x)) * (y >= 0.0 ? 1.0 : -1.0);
-    x = fold;
+    using Support = vtkShadowShapeSupport;
+    vtkShadowTechnique t;
+    t.Name = "ray-traced";
+    t.Title = "Ray-traced shadows";
+    t.Paper =
+      "Cook, Porter and Carpenter, Distributed ray tracing, SIGGRAPH 1984; Wald et al., Embree, "
+      "SIGGRAPH 2014";
+    t.ClassName = "vtkRayTracedShadowPass";
+    t.New = [] { return static_cast<vtkShadowPass*>(vtkRayTracedShadowPass::New()); };
+    t.LightShapes.fill(Support::Exact);
+    t.Parameters = { { "samples", vtkShadowParameter::Type::Integer, "64", 1, 16384, {}, "rays",
+      "Rays from each pixel to each light", { "4", "16", "64", "1024" } } };
+    t.Resources = { "on the CPU: Embree's structures, about 100 bytes a triangle",
+      "on the GPU: receivers 16 bytes, depth 4 bytes, visibility 4 bytes a light (16 textured), "
+      "each a "
+      "pixel" };
+    t.Limits = { "Noise of the order of 1 / samples^0.75 in penumbrae.",
+      "Translucent surfaces and further samples of a pixel take the visibility of the opaque "
+      "surface "
+      "next to them." };
+    return t;
   }
-  return glm::normalize(glm::dvec3(x, y, z));
-}
+
+  const vtkShadowTechniqueRegistration registration(RayTraced());
+
+  /** The inverse of shadowPackNormal in vtkShadowLightsFS.glsl. */
+  glm::dvec3 UnpackNormal(double packed)
+  {
+    const double bits = packed - 1.0;
+    double x = std::fmod(bits, 4096.0) / 4095.0 * 2.0 - 1.0;
+    double y = std::floor(bits / 4096.0) / 4095.0 * 2.0 - 1.0;
+    const double z = 1.0 - std::abs(x) - std::abs(y);
+    if (z < 0.0)
+    {
+      const double fold = (1.0 - std::abs(y)) * (x >= 0.0 ? 1.0 : -1.0);
+      y = (1.0 - std::abs(x)) * (y >= 0.0 ? 1.0 : -1.0);
+      x = fold;
+    }
+    return glm::normalize(glm::dvec3(x, y, z));
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -130,8 +133,8 @@ void vtkRayTracedShadowPass::FillVisibility(vtkShadowFrame& frame, vtkVisibility
     }
     else
     {
-      rays += this->Tracer->Trace(frame.Lights[i], frame.Casters->GetOrigin(), receivers, samples,
-        components, values);
+      rays += this->Tracer->Trace(
+        frame.Lights[i], frame.Casters->GetOrigin(), receivers, samples, components, values);
     }
     buffer.GetTarget().UploadLayer(frame.Window, static_cast<int>(i), values.data());
   }

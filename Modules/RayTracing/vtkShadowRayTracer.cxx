@@ -72,8 +72,8 @@ struct Patterns
 };
 
 /** The whole light lies behind the receiver's own surface: as in vtkShadowLightsFS.glsl. */
-bool FacesAway(
-  const vtkShadowLight& light, const glm::dvec3& place, const vtkShadowRayTracer::Receiver& receiver)
+bool FacesAway(const vtkShadowLight& light, const glm::dvec3& place,
+  const vtkShadowRayTracer::Receiver& receiver)
 {
   const double u = std::abs(glm::dot(receiver.Normal, light.U));
   const double v = std::abs(glm::dot(receiver.Normal, light.V));
@@ -143,7 +143,7 @@ vtkShadowRayTracer::vtkShadowRayTracer()
   if (!this->Internal->Device)
   {
     this->Internal->Error = "Embree cannot start (error " +
-      std::to_string(static_cast<int>(rtcGetDeviceError(nullptr))) + ")";
+                            std::to_string(static_cast<int>(rtcGetDeviceError(nullptr))) + ")";
   }
 }
 
@@ -202,8 +202,7 @@ int vtkShadowRayTracer::Update(const vtkShadowCasters& casters)
     RTCGeometry instance = rtcNewGeometry(my.Device, RTC_GEOMETRY_TYPE_INSTANCE);
     rtcSetGeometryInstancedScene(instance, mesh.Scene);
     const glm::mat4 matrix(caster.MeshToWC);
-    rtcSetGeometryTransform(
-      instance, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, glm::value_ptr(matrix));
+    rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, glm::value_ptr(matrix));
     rtcCommitGeometry(instance);
     rtcAttachGeometry(my.Scene, instance);
     rtcReleaseGeometry(instance);
@@ -312,7 +311,8 @@ double vtkShadowRayTracer::Trace(const vtkShadowLight& light, const glm::dvec3& 
   const Patterns patterns(light, light.IsPoint() ? 1 : samples);
   const glm::dvec3 place = light.IsDirectional() ? -light.Direction : light.Position - origin;
   std::atomic<std::size_t> traced{ 0 };
-  const auto work = [&](vtkIdType begin, vtkIdType end) {
+  const auto work = [&](vtkIdType begin, vtkIdType end)
+  {
     std::size_t pixels = 0;
     for (vtkIdType i = begin; i < end; ++i)
     {
@@ -332,8 +332,7 @@ double vtkShadowRayTracer::Trace(const vtkShadowLight& light, const glm::dvec3& 
     traced += pixels;
   };
   // VTK's threads, whatever the program's own choice of backend is, for this call alone.
-  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 0, "STDThread", false }, [&]() {
-    vtkSMPTools::For(0, static_cast<vtkIdType>(receivers.size()), 1024, work);
-  });
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 0, "STDThread", false },
+    [&]() { vtkSMPTools::For(0, static_cast<vtkIdType>(receivers.size()), 1024, work); });
   return static_cast<double>(traced) * patterns.Samples;
 }

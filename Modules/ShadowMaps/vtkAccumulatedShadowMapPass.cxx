@@ -29,8 +29,7 @@ bool vtkAccumulatedShadowMapPass::CanEvaluateForward()
 }
 
 //------------------------------------------------------------------------------
-void vtkAccumulatedShadowMapPass::FillVisibility(
-  vtkShadowFrame& frame, vtkVisibilityBuffer& buffer)
+void vtkAccumulatedShadowMapPass::FillVisibility(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer)
 {
   if (this->Maps->AreResident())
   {
@@ -42,8 +41,8 @@ void vtkAccumulatedShadowMapPass::FillVisibility(
   const float none[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
   for (std::size_t i = 0; i < frame.Lights.size(); ++i)
   {
-    vtkShadowFramebuffer::Scope target(frame.Window, buffer.GetFramebuffer(), &buffer.GetTarget(),
-      nullptr, static_cast<int>(i));
+    vtkShadowFramebuffer::Scope target(
+      frame.Window, buffer.GetFramebuffer(), &buffer.GetTarget(), nullptr, static_cast<int>(i));
     glClearBufferfv(GL_COLOR, 0, buffer.WantsCost() ? none : start);
   }
   vtkOpenGLState* state = frame.Window->GetState();

@@ -37,7 +37,7 @@ bool vtkDepthMapShadowPass::UpdateMaps(vtkShadowFrame& frame, int samples, doubl
   if (settings.Resolution > largest)
   {
     this->WarnOnce("resolution " + std::to_string(settings.Resolution) +
-      " is more than this GPU allows; it is " + std::to_string(largest) + ".");
+                   " is more than this GPU allows; it is " + std::to_string(largest) + ".");
     settings.Resolution = largest;
   }
   if (!this->Maps->Update(frame, settings))
@@ -95,15 +95,17 @@ void vtkDepthMapShadowPass::DrawDebugView(vtkShadowFrame& frame, const std::stri
   frame.Window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   const int columns =
     static_cast<int>(std::ceil(std::sqrt(static_cast<double>(texture.GetLayers()))));
-  this->DrawQuad(vtkShadowMapViewFS, [&](vtkShaderProgram* program) {
-    program->SetUniformi("shadowMaps", texture.GetUnit());
-    program->SetUniform2i("shadowViewportOrigin", viewport);
-    program->SetUniform2i("shadowViewportSize", viewport + 2);
-    program->SetUniformi("shadowColumns", columns);
-  });
-  texture.SetSampling(frame.Window,
-    this->GetText("filter") == "bilinear" ? vtkShadowTexture::Sampling::CompareLinear
-                                          : vtkShadowTexture::Sampling::CompareNearest);
+  this->DrawQuad(vtkShadowMapViewFS,
+    [&](vtkShaderProgram* program)
+    {
+      program->SetUniformi("shadowMaps", texture.GetUnit());
+      program->SetUniform2i("shadowViewportOrigin", viewport);
+      program->SetUniform2i("shadowViewportSize", viewport + 2);
+      program->SetUniformi("shadowColumns", columns);
+    });
+  texture.SetSampling(frame.Window, this->GetText("filter") == "bilinear"
+                                      ? vtkShadowTexture::Sampling::CompareLinear
+                                      : vtkShadowTexture::Sampling::CompareNearest);
 }
 
 //------------------------------------------------------------------------------

@@ -31,7 +31,7 @@ constexpr double BorderTexels = 2.0;
 bool vtkShadowMaps::Settings::operator==(const Settings& other) const
 {
   return std::tie(this->Resolution, this->Samples, this->Bilinear, this->MemoryLimit) ==
-    std::tie(other.Resolution, other.Samples, other.Bilinear, other.MemoryLimit);
+         std::tie(other.Resolution, other.Samples, other.Bilinear, other.MemoryLimit);
 }
 
 //------------------------------------------------------------------------------
@@ -55,10 +55,11 @@ std::vector<vtkShadowMaps::View> vtkShadowMaps::MakeViews(
   }
   const int samples = light.IsPoint() ? 1 : this->Current.Samples;
   // A single view of a light with a size looks from its centre.
-  std::vector<vtkLightSample> places = samples == 1
-    ? std::vector<vtkLightSample>{ { light.IsDirectional() ? -light.Direction : light.Position,
-        glm::dvec3(1.0) } }
-    : light.GetSamples(samples, middle + frame.Casters->GetOrigin());
+  std::vector<vtkLightSample> places =
+    samples == 1
+      ? std::vector<vtkLightSample>{ { light.IsDirectional() ? -light.Direction : light.Position,
+          glm::dvec3(1.0) } }
+      : light.GetSamples(samples, middle + frame.Casters->GetOrigin());
   for (const auto& place : places)
   {
     for (const auto& frustum : frusta.GetViews(place.Point))
@@ -72,9 +73,9 @@ std::vector<vtkShadowMaps::View> vtkShadowMaps::MakeViews(
 //------------------------------------------------------------------------------
 bool vtkShadowMaps::Update(vtkShadowFrame& frame, const Settings& settings)
 {
-  const bool all = !(settings == this->Current) || frame.Hard != this->Hard || !this->Maps.GetHandle() ||
-    frame.Casters->GetVersion() != this->CasterVersion ||
-    this->Lights.size() != frame.Lights.size();
+  const bool all = !(settings == this->Current) || frame.Hard != this->Hard ||
+                   !this->Maps.GetHandle() || frame.Casters->GetVersion() != this->CasterVersion ||
+                   this->Lights.size() != frame.Lights.size();
   this->Hard = frame.Hard;
   this->Current = settings;
   this->CasterVersion = frame.Casters->GetVersion();
@@ -119,11 +120,10 @@ bool vtkShadowMaps::Update(vtkShadowFrame& frame, const Settings& settings)
 
   int mostLayers = 256;
   glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &mostLayers);
-  const std::size_t layerBytes =
-    std::size_t(4) * settings.Resolution * settings.Resolution;
+  const std::size_t layerBytes = std::size_t(4) * settings.Resolution * settings.Resolution;
   const int total = this->GetNumberOfViews();
-  this->BatchSize = static_cast<int>(std::clamp<std::size_t>(
-    settings.MemoryLimit / layerBytes, 1, std::min(mostLayers, total)));
+  this->BatchSize = static_cast<int>(
+    std::clamp<std::size_t>(settings.MemoryLimit / layerBytes, 1, std::min(mostLayers, total)));
   this->Batches = (total + this->BatchSize - 1) / this->BatchSize;
   const unsigned int before = this->Maps.GetHandle();
   if (!this->Maps.Allocate(frame.Window, vtkShadowTexture::Format::Depth, settings.Resolution,
@@ -135,9 +135,9 @@ bool vtkShadowMaps::Update(vtkShadowFrame& frame, const Settings& settings)
   const bool fresh = before != this->Maps.GetHandle();
   if (all || fresh)
   {
-    this->Maps.SetSampling(frame.Window,
-      settings.Bilinear ? vtkShadowTexture::Sampling::CompareLinear
-                        : vtkShadowTexture::Sampling::CompareNearest);
+    this->Maps.SetSampling(frame.Window, settings.Bilinear
+                                           ? vtkShadowTexture::Sampling::CompareLinear
+                                           : vtkShadowTexture::Sampling::CompareNearest);
   }
   this->Few = total <= MostFewViews;
   if (this->Few)
@@ -215,8 +215,7 @@ void vtkShadowMaps::Draw(vtkShadowFrame& frame, int first, int count)
     const float farthest = 1.0f;
     glClearBufferfv(GL_DEPTH, 0, &farthest);
     const View& view = this->Views[i];
-    frame.Casters->Draw(
-      frame.Window, view.Frustum.WCToClip, this->Lights[view.Light].Casters);
+    frame.Casters->Draw(frame.Window, view.Frustum.WCToClip, this->Lights[view.Light].Casters);
   }
   glDisable(GL_POLYGON_OFFSET_FILL);
   frame.Counts["mapsDrawn"] += count;
@@ -277,7 +276,7 @@ std::string vtkShadowMaps::GetDefinitions() const
     count += (count.empty() ? "" : ", ") + std::to_string(light.Count);
   }
   return "#define SHADOW_FEW_VIEWS " + std::to_string(std::max(1, this->GetNumberOfViews())) +
-    "\n#define SHADOW_FIRST_VIEWS " + first + "\n#define SHADOW_VIEW_COUNTS " + count + "\n";
+         "\n#define SHADOW_FIRST_VIEWS " + first + "\n#define SHADOW_VIEW_COUNTS " + count + "\n";
 }
 
 //------------------------------------------------------------------------------
