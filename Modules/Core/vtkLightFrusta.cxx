@@ -61,17 +61,14 @@ struct Range
   }
 };
 
-/** Orthonormal axes of a view: x, y, and z along the view. */
+/** Orthonormal axes of a view, z along it. They follow from it alone, not from the light's size. */
 struct Frame
 {
-  Frame(const glm::dvec3& axis, const glm::dvec3& up)
-    : Z(axis)
+  explicit Frame(const glm::dvec3& axis)
+    : X(vtkShadowLight::Perpendicular(axis))
+    , Y(glm::cross(axis, X))
+    , Z(axis)
   {
-    const glm::dvec3 side = glm::cross(up, axis);
-    const glm::dvec3 other =
-      std::abs(axis.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
-    this->X = glm::normalize(glm::length(side) > 1e-3 ? side : glm::cross(other, axis));
-    this->Y = glm::cross(axis, this->X);
   }
   glm::dvec3 operator()(const glm::dvec3& v) const
   {
@@ -212,7 +209,7 @@ std::vector<vtkLightView> vtkLightFrusta::GetViews(const glm::dvec3& place) cons
 //------------------------------------------------------------------------------
 std::vector<vtkLightView> vtkLightFrusta::GetDirectionalViews(const glm::dvec3& towardsLight) const
 {
-  const Frame frame(-towardsLight, this->Light.V);
+  const Frame frame(-towardsLight);
   Range range;
   for (const auto& region : this->Regions)
   {
@@ -248,7 +245,6 @@ std::vector<vtkLightView> vtkLightFrusta::GetDirectionalViews(const glm::dvec3& 
   rows[3] = glm::dvec4(0.0, 0.0, 0.0, 1.0);
   view.WCToClip = glm::transpose(rows);
   view.Place = towardsLight;
-  view.Axis = frame.Z;
   view.WindowX = frame.X * size.x;
   view.WindowY = frame.Y * size.y;
   return { view };
@@ -260,8 +256,8 @@ std::vector<vtkLightView> vtkLightFrusta::GetPositionalViews(const glm::dvec3& p
   std::vector<vtkLightView> views;
   if (this->Light.ConeAngle <= WidestHalfAngle)
   {
-    this->AddPerspectiveView(position, this->Light.Direction, this->Light.V,
-      std::tan(glm::radians(this->Light.ConeAngle)), views);
+    this->AddPerspectiveView(
+      position, this->Light.Direction, std::tan(glm::radians(this->Light.ConeAngle)), views);
     return views;
   }
 
@@ -290,8 +286,8 @@ std::vector<vtkLightView> vtkLightFrusta::GetPositionalViews(const glm::dvec3& p
   }
   if (fits)
   {
-    this->AddPerspectiveView(position, mean / length, this->Light.V,
-      std::tan(glm::radians(WidestHalfAngle)) * 1.01, views);
+    this->AddPerspectiveView(
+      position, mean / length, std::tan(glm::radians(WidestHalfAngle)) * 1.01, views);
     return views;
   }
 
@@ -299,18 +295,16 @@ std::vector<vtkLightView> vtkLightFrusta::GetPositionalViews(const glm::dvec3& p
   {
     glm::dvec3 axis(0.0);
     axis[face / 2] = face % 2 ? -1.0 : 1.0;
-    glm::dvec3 up(0.0);
-    up[(face / 2 + 1) % 3] = 1.0;
-    this->AddPerspectiveView(position, axis, up, 1.0, views);
+    this->AddPerspectiveView(position, axis, 1.0, views);
   }
   return views;
 }
 
 //------------------------------------------------------------------------------
 bool vtkLightFrusta::AddPerspectiveView(const glm::dvec3& position, const glm::dvec3& axis,
-  const glm::dvec3& up, double limit, std::vector<vtkLightView>& views) const
+  double limit, std::vector<vtkLightView>& views) const
 {
-  const Frame frame(axis, up);
+  const Frame frame(axis);
   // A box in x/z, y/z and z, clipped to |x/z|, |y/z| <= limit; the whole window where the box
   // reaches behind the light.
   const auto project = [&](const Corners& box)
@@ -379,7 +373,6 @@ bool vtkLightFrusta::AddPerspectiveView(const glm::dvec3& position, const glm::d
   vtkLightView view;
   view.WCToClip = glm::transpose(rows);
   view.Place = position;
-  view.Axis = frame.Z;
   view.WindowX = frame.X * size.x;
   view.WindowY = frame.Y * size.y;
   views.push_back(view);

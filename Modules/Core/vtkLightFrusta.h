@@ -29,8 +29,6 @@ struct vtkLightView
   glm::dmat4 WCToClip{ 1.0 };
   /** Where it looks from, in WC; for a directional light, the direction towards the light. */
   glm::dvec3 Place{ 0.0 };
-  /** Unit vector along which it looks, in WC. */
-  glm::dvec3 Axis{ 0.0 };
   /** The view plane's axes as unit vectors in WC, times the window's size at w = 1. */
   glm::dvec3 WindowX{ 0.0 };
   glm::dvec3 WindowY{ 0.0 };
@@ -62,8 +60,8 @@ private:
 
   std::vector<vtkLightView> GetDirectionalViews(const glm::dvec3& towardsLight) const;
   std::vector<vtkLightView> GetPositionalViews(const glm::dvec3& position) const;
-  bool AddPerspectiveView(const glm::dvec3& position, const glm::dvec3& axis, const glm::dvec3& up,
-    double limit, std::vector<vtkLightView>& views) const;
+  bool AddPerspectiveView(const glm::dvec3& position, const glm::dvec3& axis, double limit,
+    std::vector<vtkLightView>& views) const;
 
   const vtkShadowLight& Light;
   double Border;

@@ -2,7 +2,6 @@
 
 #include "vtkShadowCasters.h"
 
-#include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 //------------------------------------------------------------------------------
@@ -15,11 +14,4 @@ glm::dmat4 vtkShadowFrame::GetWCToVC() const
 glm::dmat4 vtkShadowFrame::GetWorldToVC() const
 {
   return glm::translate(this->GetWCToVC(), -this->Casters->GetOrigin());
-}
-
-//------------------------------------------------------------------------------
-double vtkShadowFrame::GetRounding() const
-{
-  const double distance = glm::length(glm::dvec3(this->VCToWC[3]));
-  return (distance + this->Casters->GetSize()) / 65536.0 + this->LeastRounding;
 }

@@ -34,8 +34,6 @@ struct VTKSOFTSHADOWSCORE_EXPORT vtkShadowFrame
   glm::dmat4 GetWorldToVC() const;
   /** What positions on the casters can be off at least, by rounding to floats, in world units. */
   double LeastRounding = 0.0;
-  /** And what those seen from this camera are off at most: as shadowRounding, for all of them. */
-  double GetRounding() const;
   /** Counts for GetStatistics(), by name; a technique adds its own. */
   std::map<std::string, double> Counts;
 };

@@ -120,7 +120,9 @@ public:
 
   /** Forget the last frame. */
   void StartFrame();
-  /** Milliseconds by stage of the last frame; waits for the GPU. The window must be current. */
+  /** Some of the last frame's times are still to be read, for which the window must be current. */
+  bool ArePending() const { return !this->Spans.empty() && this->Milliseconds.empty(); }
+  /** Milliseconds by stage of the last frame; waits for the GPU. */
   const std::map<std::string, double>& GetMilliseconds();
   void Release();
 

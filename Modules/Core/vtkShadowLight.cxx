@@ -19,16 +19,6 @@
 
 namespace
 {
-/** Some unit vector perpendicular to a unit vector, the same one each time. */
-glm::dvec3 Perpendicular(const glm::dvec3& axis)
-{
-  const glm::dvec3 a = glm::abs(axis);
-  const glm::dvec3 least = a.x <= a.y && a.x <= a.z
-                             ? glm::dvec3(1.0, 0.0, 0.0)
-                             : (a.y <= a.z ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0));
-  return glm::normalize(glm::cross(axis, least));
-}
-
 /** Half axes of an area light, as vtkShadowLight states them. */
 void SetArea(vtkShadowLight& light, vtkAreaLight* area)
 {
@@ -42,8 +32,9 @@ void SetArea(vtkShadowLight& light, vtkAreaLight* area)
     up = glm::make_vec3(out);
   }
   glm::dvec3 width = glm::cross(light.Direction, up);
-  width = glm::length(width) > 1e-12 * glm::length(up) ? glm::normalize(width)
-                                                       : Perpendicular(light.Direction);
+  width = glm::length(width) > 1e-12 * glm::length(up)
+            ? glm::normalize(width)
+            : vtkShadowLight::Perpendicular(light.Direction);
   const glm::dvec3 height = glm::cross(width, light.Direction);
   glm::dvec2 half(area->GetRadius());
   if (light.IsDirectional())
@@ -73,6 +64,16 @@ void SetArea(vtkShadowLight& light, vtkAreaLight* area)
     light.EmissionTime = light.Emission ? light.Emission->GetMTime() : 0;
   }
 }
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 vtkShadowLight::Perpendicular(const glm::dvec3& axis)
+{
+  const glm::dvec3 a = glm::abs(axis);
+  const glm::dvec3 least = a.x <= a.y && a.x <= a.z
+                             ? glm::dvec3(1.0, 0.0, 0.0)
+                             : (a.y <= a.z ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0));
+  return glm::normalize(glm::cross(axis, least));
 }
 
 //------------------------------------------------------------------------------

@@ -377,8 +377,15 @@ bool vtkShadowPass::IsSupported(vtkRenderWindow* window)
   }
   else
   {
+    glWindow->Initialize();
     glWindow->MakeCurrent();
-    this->Internal->UnsupportedReason = this->FindUnsupported(window);
+    int major = 0;
+    int minor = 0;
+    glWindow->GetOpenGLVersion(major, minor);
+    this->Internal->UnsupportedReason = major > 3 || (major == 3 && minor >= 2)
+                                          ? this->FindUnsupported(window)
+                                          : "OpenGL 3.2 is needed, the window has " +
+                                              std::to_string(major) + "." + std::to_string(minor);
   }
   return this->Internal->UnsupportedReason.empty();
 }
@@ -395,11 +402,11 @@ std::string vtkShadowPass::GetStatistics()
   Internals& my = *this->Internal;
   nlohmann::ordered_json json = { { "technique", this->GetTechnique() }, { "frame", my.Frames },
     { "evaluation", my.Active ? (my.ScreenSpace ? "screen" : "forward") : "none" } };
-  if (my.Window && my.Window->GetMapped() + my.Window->GetOffScreenRendering() > 0)
+  if (my.Window && my.Timers.ArePending())
   {
     my.Window->MakeCurrent();
-    json["milliseconds"] = my.Timers.GetMilliseconds();
   }
+  json["milliseconds"] = my.Timers.GetMilliseconds();
   json["counts"] = my.Frame.Counts;
   json["lights"] = nlohmann::ordered_json::array();
   for (const auto& note : my.LightNotes)

@@ -73,10 +73,9 @@ std::vector<vtkShadowMaps::View> vtkShadowMaps::MakeViews(
 //------------------------------------------------------------------------------
 bool vtkShadowMaps::Update(vtkShadowFrame& frame, const Settings& settings)
 {
-  const bool all = !(settings == this->Current) || frame.Hard != this->Hard ||
-                   !this->Maps.GetHandle() || frame.Casters->GetVersion() != this->CasterVersion ||
+  const bool all = !(settings == this->Current) || !this->Maps.GetHandle() ||
+                   frame.Casters->GetVersion() != this->CasterVersion ||
                    this->Lights.size() != frame.Lights.size();
-  this->Hard = frame.Hard;
   this->Current = settings;
   this->CasterVersion = frame.Casters->GetVersion();
 
@@ -201,12 +200,6 @@ void vtkShadowMaps::Draw(vtkShadowFrame& frame, int first, int count)
   state->vtkglDepthFunc(GL_LESS);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);
-  if (this->Hard)
-  {
-    // The bias of a hard look-up: a triangle's own slope over the texels that one look-up reads.
-    glEnable(GL_POLYGON_OFFSET_FILL);
-    glPolygonOffset(this->Current.Bilinear ? 2.0f : 1.0f, 0.0f);
-  }
   vtkShadowFramebuffer::Scope target(
     frame.Window, this->Framebuffer, nullptr, &this->Maps, first - this->BatchFirst);
   for (int i = first; i < first + count; ++i)
@@ -217,7 +210,6 @@ void vtkShadowMaps::Draw(vtkShadowFrame& frame, int first, int count)
     const View& view = this->Views[i];
     frame.Casters->Draw(frame.Window, view.Frustum.WCToClip, this->Lights[view.Light].Casters);
   }
-  glDisable(GL_POLYGON_OFFSET_FILL);
   frame.Counts["mapsDrawn"] += count;
 }
 
@@ -238,11 +230,7 @@ void vtkShadowMaps::UpdateViewVectors(vtkShadowFrame& frame, bool changed)
   this->ViewVectors.reserve(7 * this->Views.size());
   for (const auto& view : this->Views)
   {
-    // A hard look-up moves its receiver by what positions can be off here, along the view's axis,
-    // and has no bias of its own to compute: the maps hold it (see Draw).
-    const glm::dmat4 bias = glm::translate(
-      glm::dmat4(1.0), this->Hard ? -view.Frustum.Axis * frame.GetRounding() : glm::dvec3(0.0));
-    glm::dmat4 rows = glm::transpose(toUnit * view.Frustum.WCToClip * bias * frame.VCToWC);
+    glm::dmat4 rows = glm::transpose(toUnit * view.Frustum.WCToClip * frame.VCToWC);
     rows[2] -= DepthRounding * rows[3];
     for (int r = 0; r < 4; ++r)
     {

@@ -88,7 +88,6 @@ private:
   int BatchSize = 0;
   int BatchFirst = 0; // the view in layer 0
   int BatchCount = 0;
-  bool Hard = false;                  // as vtkShadowFrame::Hard
   bool Few = false;                   // views are uniforms
   std::vector<glm::vec4> ViewVectors; // of vtkShadowMapsFS.glsl, for the camera of this frame
   glm::dmat4 VCToWC{ 0.0 };           // that camera

@@ -70,10 +70,7 @@ SHADOW_VISIBILITY shadowFactor(int light, vec3 positionVC, vec3 normalVC, float 
 #else
   shadowSelf = shadowCasts;
   visibility = shadowVisibility(light, positionVC, normalVC);
-#ifndef SHADOW_HARD
-  // A point light gives nothing to a surface that faces away, so there it need not be known.
   visibility = shadowFacesAway(light, positionVC, normalVC) ? SHADOW_VISIBILITY(0.0) : visibility;
-#endif
 #endif
   return 1.0 - shadowAttenuation[light] * (1.0 - visibility);
 }

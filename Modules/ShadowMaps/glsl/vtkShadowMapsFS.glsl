@@ -22,30 +22,6 @@ uniform int shadowFirstLayer; // the view that layer 0 holds
 #define SHADOW_VIEW(i) texelFetch(shadowViews, i)
 #endif
 
-#ifdef SHADOW_HARD
-
-// One compare, and no bias here: the maps were drawn with their triangles' own slope added.
-SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionVC, vec3 normalVC)
-{
-  float visibility = 1.0;
-  int last = shadowFirstView[light] + shadowViewCount[light];
-  for (int view = shadowFirstView[light]; view < last; ++view)
-  {
-    vec4 receiverVC = vec4(positionVC, 1.0);
-    // Behind the light, w is negative: the quotient of a tiny one lies far outside of the map. There
-    // is no caster there: the texture's border is light. Behind the far plane, all are in front.
-    float scale = 1.0 / max(dot(SHADOW_VIEW(7 * view + 3), receiverVC), 1e-30);
-    vec3 receiverLC = scale * vec3(dot(SHADOW_VIEW(7 * view), receiverVC),
-      dot(SHADOW_VIEW(7 * view + 1), receiverVC), dot(SHADOW_VIEW(7 * view + 2), receiverVC));
-    visibility = min(visibility, texture(shadowMaps,
-      vec4(receiverLC.xy, float(view - shadowFirstLayer), min(receiverLC.z, 1.0))));
-    shadowCost += 1.0;
-  }
-  return SHADOW_VISIBILITY(visibility);
-}
-
-#else
-
 SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionVC, vec3 normalVC)
 {
   SHADOW_VISIBILITY visibility = SHADOW_VISIBILITY(1.0);
@@ -73,15 +49,17 @@ SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionVC, vec3 normalVC)
       dot(SHADOW_VIEW(7 * view + 1), receiverVC), dot(SHADOW_VIEW(7 * view + 2), receiverVC)) / w;
     float lit = texture(shadowMaps,
       vec4(receiverLC.xy, float(view - shadowFirstLayer), min(receiverLC.z, 1.0)));
+#ifdef SHADOW_HARD
+    visibility = min(visibility, SHADOW_VISIBILITY(lit));
+#else
     // Below the receiver's horizon lies its own surface, which the map cannot tell from it.
     vec3 placeVC = vec3(texelX.w, texelY.w, weight.w);
     vec3 towardsVC = rowW.xyz == vec3(0.0) ? placeVC : placeVC - positionVC;
     bool own = shadowSelf && dot(normalVC, towardsVC) < 0.0 &&
       all(lessThan(abs(receiverLC.xy - 0.5), vec2(0.5)));
     visibility -= SHADOW_VISIBILITY(weight) * (own ? 1.0 : 1.0 - lit);
+#endif
     shadowCost += 1.0;
   }
   return max(visibility, 0.0);
 }
-
-#endif
