@@ -351,6 +351,8 @@ bool vtkLightFrusta::AddPerspectiveView(const glm::dvec3& position, const glm::d
   {
     return false;
   }
+  const bool clipped =
+    std::max({ -range.Low.x, -range.Low.y, range.High.x, range.High.y }) >= limit;
   Widen(range, this->Border);
   if (limit == 1.0)
   {
@@ -372,6 +374,7 @@ bool vtkLightFrusta::AddPerspectiveView(const glm::dvec3& position, const glm::d
   rows[3] = row(frame.Z, 0.0);
   vtkLightView view;
   view.WCToClip = glm::transpose(rows);
+  view.Clipped = clipped;
   view.Place = position;
   view.WindowX = frame.X * size.x;
   view.WindowY = frame.Y * size.y;

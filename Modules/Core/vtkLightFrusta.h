@@ -27,6 +27,8 @@ struct vtkLightView
    * Before it, w is the distance along the view axis in world units, or 1 for a directional light.
    */
   glm::dmat4 WCToClip{ 1.0 };
+  /** Casters reach over its border: there are more faces, or a cone ends there. */
+  bool Clipped = false;
   /** Where it looks from, in WC; for a directional light, the direction towards the light. */
   glm::dvec3 Place{ 0.0 };
   /** The view plane's axes as unit vectors in WC, times the window's size at w = 1. */

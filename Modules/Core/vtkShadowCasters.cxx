@@ -30,6 +30,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <numeric>
 
 namespace
 {
@@ -82,6 +83,13 @@ std::vector<vtkPolyData*> GetInputs(vtkMapper* mapper)
     }
   }
   return result;
+}
+
+template <typename Count>
+std::size_t Sum(const std::vector<vtkShadowCaster>& casters, Count count)
+{
+  return std::accumulate(casters.begin(), casters.end(), std::size_t(0),
+    [&count](std::size_t sum, const vtkShadowCaster& c) { return sum + count(*c.Mesh); });
 }
 
 /** A mesh in the world: what Update gathers before it knows the origin of WC. */
@@ -217,34 +225,25 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 std::size_t vtkShadowCasters::GetNumberOfVertices() const
 {
-  std::size_t count = 0;
-  for (const auto& caster : this->Casters)
-  {
-    count += caster.Mesh->GetNumberOfVertices();
-  }
-  return count;
+  return Sum(this->Casters, [](const vtkShadowMesh& m) { return m.GetNumberOfVertices(); });
 }
 
 //------------------------------------------------------------------------------
 std::size_t vtkShadowCasters::GetNumberOfTriangles() const
 {
-  std::size_t count = 0;
-  for (const auto& caster : this->Casters)
-  {
-    count += caster.Mesh->GetNumberOfTriangles();
-  }
-  return count;
+  return Sum(this->Casters, [](const vtkShadowMesh& m) { return m.GetNumberOfTriangles(); });
 }
 
 //------------------------------------------------------------------------------
 std::size_t vtkShadowCasters::GetNumberOfDroppedTriangles() const
 {
-  std::size_t count = 0;
-  for (const auto& caster : this->Casters)
-  {
-    count += caster.Mesh->Dropped;
-  }
-  return count;
+  return Sum(this->Casters, [](const vtkShadowMesh& m) { return m.Dropped; });
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkShadowCasters::GetNumberOfTrianglesNotFinite() const
+{
+  return Sum(this->Casters, [](const vtkShadowMesh& m) { return m.NotFinite; });
 }
 
 //------------------------------------------------------------------------------

@@ -68,6 +68,7 @@ public:
   std::size_t GetNumberOfVertices() const;
   std::size_t GetNumberOfTriangles() const;
   std::size_t GetNumberOfDroppedTriangles() const;
+  std::size_t GetNumberOfTrianglesNotFinite() const;
 
   /**
    * Draw casters (indices into Get()) with a program whose vertex shader is

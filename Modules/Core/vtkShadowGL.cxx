@@ -47,12 +47,8 @@ bool vtkShadowTexture::Allocate(
     this->Target, 0, layout.Internal, width, height, layers, 0, layout.External, GL_FLOAT, nullptr);
   const bool made = glGetError() == GL_NO_ERROR;
   glTexParameteri(this->Target, GL_TEXTURE_MAX_LEVEL, 0);
-  // Outside of a depth map there is light.
-  const float border[] = { 1.0f, 1.0f, 1.0f, 1.0f };
-  const GLint wrap = format == Format::Depth ? GL_CLAMP_TO_BORDER : GL_CLAMP_TO_EDGE;
-  glTexParameterfv(this->Target, GL_TEXTURE_BORDER_COLOR, border);
-  glTexParameteri(this->Target, GL_TEXTURE_WRAP_S, wrap);
-  glTexParameteri(this->Target, GL_TEXTURE_WRAP_T, wrap);
+  glTexParameteri(this->Target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(this->Target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   this->SetSampling(window, Sampling::Nearest);
   this->Deactivate(window);
   this->Bytes = layout.Size * width * height * layers;

@@ -278,19 +278,18 @@ bool vtkShadowPass::SetShaderParameters(
   const bool mirrors = glm::determinant(glm::dmat3(my.Frame.VCToWC)) < 0.0;
   program->SetUniformf("shadowUnit", static_cast<float>((mirrors ? -500.0 : 500.0) / height));
   my.SetLights(program);
-  if (my.WritesReceivers)
-  {
-    return true;
-  }
   if (my.ScreenSpace)
   {
     int viewport[4];
     my.Window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
     program->SetUniform2i("shadowOrigin", viewport);
-    program->SetUniformi("shadowReceivers", my.Buffer.GetReceivers().GetUnit());
+    // Set while receivers are written too, or they would share a unit with the prop's own textures.
+    // The receivers themselves cannot be bound then.
+    auto& receivers = my.WritesReceivers ? my.Buffer.GetTarget() : my.Buffer.GetReceivers();
+    program->SetUniformi("shadowReceivers", receivers.GetUnit());
     program->SetUniformi("shadowBuffer", my.Buffer.GetTarget().GetUnit());
   }
-  else
+  else if (!my.WritesReceivers)
   {
     this->SetVisibilityParameters(program);
   }

@@ -121,7 +121,9 @@ std::shared_ptr<const vtkShadowMesh> vtkShadowMesh::Make(vtkPolyData* source)
       const glm::dvec3 c = GetPoint(points, ids[2]);
       // Edges scaled to 1 first: a small triangle is no degenerate one, whatever the unit.
       const double longest = std::max(glm::length(b - a), glm::length(c - a));
-      if (IsFinite(a) && IsFinite(b) && IsFinite(c) && longest > 0.0 &&
+      const bool finite = IsFinite(a) && IsFinite(b) && IsFinite(c);
+      mesh->NotFinite += finite ? 0 : 1;
+      if (finite && longest > 0.0 &&
           glm::length(glm::cross((b - a) / longest, (c - a) / longest)) > 0.0)
       {
         kept.insert(kept.end(), ids, ids + 3);

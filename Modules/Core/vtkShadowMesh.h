@@ -29,6 +29,7 @@ struct VTKSOFTSHADOWSCORE_EXPORT vtkShadowMesh
   glm::dvec3 Normal{ 0.0 };     // its unit normal
   glm::dvec3 PlanePoint{ 0.0 }; // one of its points
   std::size_t Dropped = 0;      // triangles that were degenerate or not finite
+  std::size_t NotFinite = 0;    // those of them that were not finite
 
   std::size_t GetNumberOfVertices() const { return this->Positions.size() / 3; }
   std::size_t GetNumberOfTriangles() const { return this->Indices.size() / 3; }

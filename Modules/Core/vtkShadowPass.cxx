@@ -4,6 +4,8 @@
 #include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkFloatArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkLightCollection.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLError.h"
@@ -158,6 +160,11 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
   frame.Counts["vertices"] = static_cast<double>(my.Casters.GetNumberOfVertices());
   frame.Counts["triangles"] = static_cast<double>(my.Casters.GetNumberOfTriangles());
   frame.Counts["trianglesDropped"] = static_cast<double>(my.Casters.GetNumberOfDroppedTriangles());
+  if (const std::size_t count = my.Casters.GetNumberOfTrianglesNotFinite())
+  {
+    this->WarnOnce(
+      std::to_string(count) + " triangles have points that are not finite: they cast no shadow.");
+  }
   if (frame.Counts["triangles"] == 0)
   {
     return false;
@@ -201,35 +208,47 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 void vtkShadowPass::MarkProps(bool mark)
 {
-  // Actors within assemblies are drawn under their own keys.
   Internals& my = *this->Internal;
-  if (mark)
-  {
-    my.Marked = my.Props;
-    for (vtkProp* prop : my.Props)
-    {
-      vtkShadowPass::ForEachActor(prop,
-        [&my, prop](vtkActor* actor, vtkMatrix4x4*)
-        {
-          if (actor != prop)
-          {
-            my.Marked.push_back(actor);
-          }
-        });
-    }
-    std::sort(my.Marked.begin(), my.Marked.end());
-    my.Marked.erase(std::unique(my.Marked.begin(), my.Marked.end()), my.Marked.end());
-  }
-  vtkRenderState state(my.Frame.Renderer ? my.Frame.Renderer : my.Renderer.Get());
-  state.SetPropArrayAndCount(my.Marked.data(), static_cast<int>(my.Marked.size()));
   my.UpToDatePrograms.clear();
-  if (mark)
+  if (!mark)
   {
-    this->PreRender(&state);
+    for (vtkProp* prop : my.Marked)
+    {
+      vtkInformation* keys = prop->GetPropertyKeys();
+      keys->Remove(vtkOpenGLRenderPass::RenderPasses(), this);
+      if (keys->Length(vtkOpenGLRenderPass::RenderPasses()) == 0)
+      {
+        keys->Remove(vtkOpenGLRenderPass::RenderPasses());
+      }
+    }
+    my.Marked.clear();
+    return;
   }
-  else
+  // Not vtkOpenGLRenderPass::PreRender: actors within assemblies need the key too, but a
+  // vtkAssembly lends its own keys to its parts, and a pass that stands there twice injects twice.
+  const auto markOne = [this, &my](vtkProp* prop)
   {
-    this->PostRender(&state);
+    if (!prop->GetPropertyKeys())
+    {
+      vtkNew<vtkInformation> keys;
+      prop->SetPropertyKeys(keys);
+    }
+    vtkInformation* keys = prop->GetPropertyKeys();
+    for (int i = 0; i < keys->Length(vtkOpenGLRenderPass::RenderPasses()); ++i)
+    {
+      if (keys->Get(vtkOpenGLRenderPass::RenderPasses(), i) == this)
+      {
+        return;
+      }
+    }
+    keys->Append(vtkOpenGLRenderPass::RenderPasses(), this);
+    my.Marked.push_back(prop);
+  };
+  for (vtkProp* prop : my.Props)
+  {
+    markOne(prop);
+    vtkShadowPass::ForEachActor(
+      prop, [&markOne](vtkActor* actor, vtkMatrix4x4*) { markOne(actor); });
   }
 }
 
@@ -282,12 +301,14 @@ void vtkShadowPass::RenderReceivers()
   glClearBufferfv(GL_DEPTH, 0, &farthest);
 
   this->UpdateInjection(true);
+  my.Buffer.GetTarget().Activate(my.Window);
   this->MarkProps(true);
   for (vtkProp* prop : my.Props)
   {
     prop->RenderOpaqueGeometry(my.Renderer);
   }
   this->MarkProps(false);
+  my.Buffer.GetTarget().Deactivate(my.Window);
 }
 
 //------------------------------------------------------------------------------

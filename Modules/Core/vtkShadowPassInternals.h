@@ -51,7 +51,7 @@ public:
   bool WritesReceivers = false; // what is drawn now fills the receivers' buffer
   int Size[2] = { 0, 0 };
   std::vector<vtkProp*> Props;  // what survived culling
-  std::vector<vtkProp*> Marked; // these and their parts, while they carry the pass's key
+  std::vector<vtkProp*> Marked; // these and their parts, while the pass is in their keys
   std::set<vtkShaderProgram*> UpToDatePrograms;
   unsigned int QuadVertexArray = 0;
   unsigned long Frames = 0;

@@ -252,9 +252,12 @@ void vtkShadowMaps::UpdateViewVectors(vtkShadowFrame& frame, bool changed)
 //------------------------------------------------------------------------------
 std::string vtkShadowMaps::GetDefinitions() const
 {
+  const bool clipped = std::any_of(
+    this->Views.begin(), this->Views.end(), [](const View& v) { return v.Frustum.Clipped; });
+  const std::string definitions = clipped ? "#define SHADOW_CLIPPED_VIEWS\n" : "";
   if (!this->Few)
   {
-    return "";
+    return definitions;
   }
   std::string first;
   std::string count;
@@ -263,8 +266,9 @@ std::string vtkShadowMaps::GetDefinitions() const
     first += (first.empty() ? "" : ", ") + std::to_string(light.First);
     count += (count.empty() ? "" : ", ") + std::to_string(light.Count);
   }
-  return "#define SHADOW_FEW_VIEWS " + std::to_string(std::max(1, this->GetNumberOfViews())) +
-         "\n#define SHADOW_FIRST_VIEWS " + first + "\n#define SHADOW_VIEW_COUNTS " + count + "\n";
+  return definitions + "#define SHADOW_FEW_VIEWS " +
+         std::to_string(std::max(1, this->GetNumberOfViews())) + "\n#define SHADOW_FIRST_VIEWS " +
+         first + "\n#define SHADOW_VIEW_COUNTS " + count + "\n";
 }
 
 //------------------------------------------------------------------------------

@@ -42,13 +42,18 @@ SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionVC, vec3 normalVC)
     float rise = abs(dot(normalVC, texelX.xyz)) + abs(dot(normalVC, texelY.xyz));
     vec4 receiverVC = vec4(positionVC + (rise * w + rounding) * normalVC, 1.0);
 
-    // Behind the light, w is negative: the quotient of a tiny one lies far outside of the map. There
-    // is no caster there: the texture's border is light. Behind the far plane, all are in front.
+    // Behind the light, w is negative: the quotient of a tiny one lies far outside of the map. Maps
+    // have a clear border, so outside there is light. Behind the far plane, all casters are in front.
     w = max(dot(rowW, receiverVC), 1e-30);
     vec3 receiverLC = vec3(dot(SHADOW_VIEW(7 * view), receiverVC),
       dot(SHADOW_VIEW(7 * view + 1), receiverVC), dot(SHADOW_VIEW(7 * view + 2), receiverVC)) / w;
     float lit = texture(shadowMaps,
       vec4(receiverLC.xy, float(view - shadowFirstLayer), min(receiverLC.z, 1.0)));
+#ifdef SHADOW_CLIPPED_VIEWS
+    // Other faces of a cube go on there.
+    bool inside = all(lessThanEqual(abs(receiverLC.xy - 0.5), vec2(0.5)));
+    lit = inside ? lit : 1.0;
+#endif
 #ifdef SHADOW_HARD
     visibility = min(visibility, SHADOW_VISIBILITY(lit));
 #else
