@@ -18,11 +18,13 @@ foreach (pair IN ITEMS
   string(REPLACE ":" ";" pair "${pair}")
   list(GET pair 0 option)
   list(GET pair 1 module)
+  # In the cache: the scan reads nothing else.
   if (SOFTSHADOWS_${option})
-    set("VTK_MODULE_ENABLE_SoftShadows_${module}" "YES")
+    set("VTK_MODULE_ENABLE_SoftShadows_${module}" "YES" CACHE STRING "" FORCE)
   else ()
-    set("VTK_MODULE_ENABLE_SoftShadows_${module}" "NO")
+    set("VTK_MODULE_ENABLE_SoftShadows_${module}" "NO" CACHE STRING "" FORCE)
   endif ()
+  mark_as_advanced("VTK_MODULE_ENABLE_SoftShadows_${module}")
 endforeach ()
 if (SOFTSHADOWS_BUILD_APPS AND NOT (SOFTSHADOWS_IMAGE_METRICS AND SOFTSHADOWS_SCENES))
   message(FATAL_ERROR
@@ -50,11 +52,6 @@ set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
 # Warnings for our own sources; wrapping sources that VTK generates are not ours.
 function (softshadows_warnings target)
   target_compile_options("${target}" PRIVATE
-    $<$<CXX_COMPILER_ID:GNU,Clang>:-Wall -Wextra -Wshadow=local -Wno-unused-parameter>)
+    $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>
+    $<$<CXX_COMPILER_ID:GNU,Clang>:-Wall -Wextra -Wno-unused-parameter>)
 endfunction ()
-if (NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  function (softshadows_warnings target)
-    target_compile_options("${target}" PRIVATE
-      $<$<CXX_COMPILER_ID:Clang>:-Wall -Wextra -Wno-unused-parameter>)
-  endfunction ()
-endif ()

@@ -196,6 +196,13 @@ vtkLightFrusta::vtkLightFrusta(
 }
 
 //------------------------------------------------------------------------------
+bool vtkLightFrusta::IsLimited() const
+{
+  return std::any_of(this->Regions.begin(), this->Regions.end(),
+    [](const Region& region) { return !region.Others.empty(); });
+}
+
+//------------------------------------------------------------------------------
 std::vector<vtkLightView> vtkLightFrusta::GetViews(const glm::dvec3& place) const
 {
   if (this->Included.empty())
@@ -244,6 +251,7 @@ std::vector<vtkLightView> vtkLightFrusta::GetDirectionalViews(const glm::dvec3& 
   }
   rows[3] = glm::dvec4(0.0, 0.0, 0.0, 1.0);
   view.WCToClip = glm::transpose(rows);
+  view.Clipped = this->IsLimited();
   view.Place = towardsLight;
   view.WindowX = frame.X * size.x;
   view.WindowY = frame.Y * size.y;
@@ -374,7 +382,7 @@ bool vtkLightFrusta::AddPerspectiveView(const glm::dvec3& position, const glm::d
   rows[3] = row(frame.Z, 0.0);
   vtkLightView view;
   view.WCToClip = glm::transpose(rows);
-  view.Clipped = clipped;
+  view.Clipped = clipped || this->IsLimited();
   view.Place = position;
   view.WindowX = frame.X * size.x;
   view.WindowY = frame.Y * size.y;

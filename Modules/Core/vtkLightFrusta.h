@@ -9,6 +9,7 @@
 #ifndef vtkLightFrusta_h
 #define vtkLightFrusta_h
 
+#include "vtkShadowLight.h"           // For the light
 #include "vtkSoftShadowsCoreModule.h" // For export macro
 
 #include <glm/mat4x4.hpp>
@@ -17,7 +18,6 @@
 #include <vector>
 
 class vtkShadowCasters;
-struct vtkShadowLight;
 
 /** One view from a point of a light: a map is drawn and read through it. */
 struct vtkLightView
@@ -27,7 +27,7 @@ struct vtkLightView
    * Before it, w is the distance along the view axis in world units, or 1 for a directional light.
    */
   glm::dmat4 WCToClip{ 1.0 };
-  /** Casters reach over its border: there are more faces, or a cone ends there. */
+  /** Casters reach over its border: other faces go on there, a cone ends, or nothing is behind. */
   bool Clipped = false;
   /** Where it looks from, in WC; for a directional light, the direction towards the light. */
   glm::dvec3 Place{ 0.0 };
@@ -60,12 +60,14 @@ private:
     std::vector<Corners> Others;
   };
 
+  /** Some caster is hugged only in part. */
+  bool IsLimited() const;
   std::vector<vtkLightView> GetDirectionalViews(const glm::dvec3& towardsLight) const;
   std::vector<vtkLightView> GetPositionalViews(const glm::dvec3& position) const;
   bool AddPerspectiveView(const glm::dvec3& position, const glm::dvec3& axis, double limit,
     std::vector<vtkLightView>& views) const;
 
-  const vtkShadowLight& Light;
+  vtkShadowLight Light;
   double Border;
   glm::dvec3 Origin{ 0.0 }; // of WC
   std::vector<int> Included;

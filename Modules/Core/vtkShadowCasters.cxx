@@ -137,7 +137,8 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer)
   {
     if (!Casts(actor))
     {
-      if (const double* bounds = actor->GetBounds())
+      const double* bounds = actor->GetBounds();
+      if (bounds && bounds[0] <= bounds[1])
       {
         receivers.push_back({ bounds[0], bounds[1], bounds[2], bounds[3], bounds[4], bounds[5] });
       }

@@ -132,6 +132,14 @@ bool vtkShadowLight::IsPoint() const
 }
 
 //------------------------------------------------------------------------------
+bool vtkShadowLight::IsFinite() const
+{
+  const auto finite = [](const glm::dvec3& v)
+  { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
+  return finite(this->Position) && finite(this->Direction) && finite(this->U) && finite(this->V);
+}
+
+//------------------------------------------------------------------------------
 std::vector<glm::dvec3> vtkShadowLight::GetExtremes() const
 {
   const glm::dvec3 centre = this->IsDirectional() ? -this->Direction : this->Position;

@@ -59,6 +59,8 @@ struct VTKSOFTSHADOWSCORE_EXPORT vtkShadowLight
   bool IsDirectional() const { return this->Kind == Shape::Directional; }
   /** A light without size: one sample decides, and soft techniques take the hard path. */
   bool IsPoint() const;
+  /** False for a light whose position or size is no number: it casts nothing. */
+  bool IsFinite() const;
   /** The corners of the emitter (positions), or of the cone of directions towards the light. */
   std::vector<glm::dvec3> GetExtremes() const;
   /**

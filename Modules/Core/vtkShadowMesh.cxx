@@ -69,7 +69,9 @@ void FindPlane(vtkShadowMesh& mesh)
       mesh.PlanePoint = at(i);
     }
   }
-  const double tolerance = 1e-6 * glm::length(mesh.Maximum - mesh.Minimum);
+  const double tolerance =
+    1e-6 * glm::length(mesh.Maximum - mesh.Minimum) +
+    1e-7 * glm::length(mesh.Centre); // points far from the model's origin, if they were floats
   mesh.Flat = largest > 0.0;
   for (std::size_t i = 0; mesh.Flat && i < mesh.Indices.size(); ++i)
   {

@@ -65,7 +65,8 @@ public:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   unsigned long Observers[2] = { 0, 0 };
   bool WasRoot = false;
-  bool Drawn = false; // in the renderer's frame that is going on
+  bool Holding = false; // GPU resources, perhaps
+  bool Drawn = false;   // in the renderer's frame that is going on
 
   vtkNew<vtkImageData> VisibilityImage;
 

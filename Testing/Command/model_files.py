@@ -61,6 +61,7 @@ def image_vtk():
 
 
 def vtp(points=CUBE, faces=QUADS):
+    corners = " ".join(str(i) for f in faces for i in f)
     offsets = [sum(len(f) for f in faces[:i + 1]) for i in range(len(faces))]
     array = '<DataArray type="%s" %s format="ascii">%s</DataArray>'
     return ('<?xml version="1.0"?><VTKFile type="PolyData" version="0.1" byte_order="LittleEndian">'
@@ -68,7 +69,7 @@ def vtp(points=CUBE, faces=QUADS):
             '<Polys>%s%s</Polys></Piece></PolyData></VTKFile>') % (
                 len(points), len(faces),
                 array % ("Float64", 'NumberOfComponents="3"', points_text(points)),
-                array % ("Int64", 'Name="connectivity"', " ".join(str(i) for f in faces for i in f)),
+                array % ("Int64", 'Name="connectivity"', corners),
                 array % ("Int64", 'Name="offsets"', " ".join(map(str, offsets))))
 
 

@@ -37,7 +37,7 @@ SHADOW_TEST(ClosedForm, HalfPlane, Each)
       const double edge = std::clamp(p.x * (1.0 - H / h) / R, -1.0, 1.0);
       const double covered =
         0.5 + (std::asin(edge) + edge * std::sqrt(1.0 - edge * edge)) / glm::radians(180.0);
-      return glm::dvec3(1.0 - covered);
+      return 1.0 - covered;
     },
     [](const glm::dvec3& p) { return p.x > 0.0 ? 1.0 : 0.0; });
 }
@@ -90,11 +90,11 @@ SHADOW_TEST(ClosedForm, SphereUnderTheSun, Each)
       const double off = glm::length(glm::cross(centre - p, towards));
       if (off > radius + 0.3 * glm::length(centre - p))
       {
-        return glm::dvec3(1.0);
+        return 1.0;
       }
       const auto seen = std::count_if(directions.begin(), directions.end(),
         [&](const glm::dvec3& direction) { return misses(p, direction); });
-      return glm::dvec3(static_cast<double>(seen) / static_cast<double>(directions.size()));
+      return static_cast<double>(seen) / static_cast<double>(directions.size());
     },
     [&](const glm::dvec3& p) { return misses(p, towards) ? 1.0 : 0.0; }, 0.002);
 }

@@ -13,7 +13,7 @@
  * truth of the light's centre but for 1.5 % of the pixels (a texel along the shadow's edges).
  */
 void CheckClosedForm(const std::string& technique, ShadowStage& stage, vtkActor* receiver,
-  const std::function<glm::dvec3(const glm::dvec3& point)>& soft,
+  const std::function<double(const glm::dvec3& point)>& soft,
   const std::function<double(const glm::dvec3& point)>& hard, double slack = 0.0);
 
 #endif

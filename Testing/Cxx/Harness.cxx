@@ -54,7 +54,7 @@ SHADOW_TEST(Harness, ChecksFail, Once)
   b = { 1, 1, 1, { 0.0f }, { 1 } };
   wrong += ShadowTest::CheckAtMost(Compare(a, b).RMSE, 0.1, "meant to fail");
   const int failures = ShadowTest::TakeFailures();
-  ShadowTest::Check(wrong == 0 && failures == 9, "a check held that must not");
+  ShadowTest::Check(wrong == 0 && failures == 10, "a check held that must not");
 }
 
 //------------------------------------------------------------------------------
@@ -78,7 +78,7 @@ SHADOW_TEST(Harness, OracleSeesThePicture, Once)
     boxPixels += mask[i];
     wrong += (with.Difference(without, i) > 0) != (mask[i] != 0);
   }
-  ShadowTest::CheckAtLeast(static_cast<double>(boxPixels), 1000.0, "pixels of the box");
+  ShadowTest::CheckAtLeast(static_cast<double>(boxPixels), 500.0, "pixels of the box");
   // Centres of pixels lie on an edge by rounding alone.
   ShadowTest::CheckAtMost(static_cast<double>(wrong), 2.0, "pixels that differ");
 }

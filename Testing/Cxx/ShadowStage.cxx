@@ -153,7 +153,7 @@ ShadowStage::ShadowStage(int width, int height, const Placement& place)
   this->Window->AddRenderer(this->Renderer);
   this->Renderer->AutomaticLightCreationOff();
   this->Renderer->SetBackground(0.2, 0.3, 0.4);
-  this->Window->Initialize();
+  vtkOpenGLRenderWindow::SafeDownCast(this->Window)->Initialize();
   if (ShadowTest::Check(glDebugMessageCallback != nullptr, "the context has no KHR_debug"))
   {
     glEnable(GL_DEBUG_OUTPUT);

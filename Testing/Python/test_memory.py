@@ -1,6 +1,9 @@
 """Turning shadows off gives the memory back, whatever way they are turned off."""
 
 import gc
+import os
+import subprocess
+import sys
 
 from shadow_testing import Scene, TestCase, create, main, statistics, technique_names, visibility
 
@@ -76,6 +79,17 @@ class Memory(TestCase):
                 for _ in range(2):
                     for scene, picture in zip(scenes, expected):
                         self.assertTrue((scene.render(shadows) == picture).all())
+
+    def test_visibility_of_a_closed_window(self):
+        # An error and None, or the last visibility; no crash, for which it has its own process.
+        code = ("from shadow_testing import *; scene = Scene('blocker'); shadows = create(%r);"
+                "scene.render(shadows); scene.window.Finalize(); shadows.GetVisibility(0)")
+        for name in technique_names():
+            with self.subTest(technique=name):
+                run = subprocess.run(
+                    [sys.executable, "-c", code % name], capture_output=True, check=False,
+                    cwd=os.path.dirname(os.path.abspath(__file__)))
+                self.assertEqual(run.returncode, 0)
 
     def test_does_not_grow(self):
         for name in technique_names():

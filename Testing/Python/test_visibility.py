@@ -10,8 +10,8 @@ from vtkmodules.vtkRenderingCore import vtkLight
 from shadow_testing import SIZE, Scene, TestCase, array, create, describe, main, receivers, \
     statistics, technique_names, visibility, vss
 
-# RMSE of visibility over the floor's pixels that a technique may have. Exact ones are off by the noise
-# of their samples alone: 0.003 at 64 samples.
+# RMSE of visibility over the floor's pixels that a technique may have. Exact ones are off by the
+# noise of their samples alone: 0.003 at 64 samples.
 EXACT = 0.01
 APPROXIMATE = 0.15
 

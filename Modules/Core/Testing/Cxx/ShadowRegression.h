@@ -3,9 +3,9 @@
 //
 // VTK's own comparison (vtkRegressionTestImage) forgives a difference of up to 105 of 255 in each
 // channel, and any value found within two pixels: soft shadows for hard ones pass. It writes the
-// difference picture, though, and what a dashboard reads. So the numbers are looked at as well: fewer
-// than 1 % of the channel values may differ from the baseline by more than 4 of 255. Measured on the
-// baselines here, that share is
+// difference picture, though, and what a dashboard reads. So the numbers are looked at as well:
+// fewer than 1 % of the channel values may differ from the baseline by more than 4 of 255. Measured
+// on the baselines here, that share is
 //
 //   11 to 14 %     with no shadows
 //   5 to 6 %       hard for soft, soft for hard
@@ -17,8 +17,8 @@
 //   0.2 to 0.4 %   maps of half or twice the resolution
 //   0              the same again
 //
-// which leaves room for what other drivers and compilers do to pixels on edges, and to the last bits
-// of shading, and for little else.
+// which leaves room for what other drivers and compilers do to pixels on edges, and to the last
+// bits of shading, and for little else.
 
 #ifndef ShadowRegression_h
 #define ShadowRegression_h

@@ -134,8 +134,8 @@ std::vector<vtkLightView> GetHoldingViews(const Scene& scene)
 }
 
 //------------------------------------------------------------------------------
-// Two things over a floor, from each corner of an area light: one view that holds them with a border
-// to spare, and the floor left out. Anywhere in the world.
+// Two things over a floor, from each corner of an area light: one view that holds them with a
+// border to spare, and the floor left out. Anywhere in the world.
 void TestCornersInside(const glm::dvec3& origin)
 {
   Scene scene;

@@ -1,5 +1,5 @@
-// The hard shadow map: crisp edges, no acne, no gap where a caster stands on the floor. The light is
-// a rectangle, taken for its centre.
+// The hard shadow map: crisp edges, no acne, no gap where a caster stands on the floor. The light
+// is a rectangle, taken for its centre.
 
 #include "ShadowRegression.h"
 

@@ -1,0 +1,249 @@
+// The screen-space side of vtkShadowPass: receivers, visibility, debug views.
+
+#include "vtkFloatArray.h"
+#include "vtkOpenGLState.h"
+#include "vtkPointData.h"
+#include "vtkShaderProgram.h"
+#include "vtkShadowDebugFS.h"
+#include "vtkShadowPassInternals.h"
+#include "vtkShadowQuadVS.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtk_glew.h"
+
+#include <algorithm>
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::EvaluateVisibility()
+{
+  Internals& my = *this->Internal;
+  vtkShadowFrame& frame = my.Frame;
+  if (!my.Buffer.Allocate(my.Window, my.Size[0], my.Size[1],
+        std::max<int>(1, static_cast<int>(frame.Lights.size())), frame.Color))
+  {
+    vtkErrorMacro(<< this->GetTechnique() << ": no memory for the visibility of " << my.Size[0]
+                  << " x " << my.Size[1] << " pixels; drawn without shadows.");
+    my.Active = false;
+    return;
+  }
+  {
+    vtkShadowTimers::Scope timer(my.Timers, "receivers");
+    this->RenderReceivers();
+  }
+  if (my.Active)
+  {
+    vtkShadowTimers::Scope timer(my.Timers, "visibility");
+    my.Buffer.SetWantsCost(my.Window, false);
+    this->ActivateLightData(frame);
+    this->FillVisibility(frame, my.Buffer);
+    this->DeactivateLightData(frame);
+  }
+  my.BufferValid = true;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::RenderReceivers()
+{
+  Internals& my = *this->Internal;
+  vtkOpenGLState* state = my.Window->GetState();
+  vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  vtkOpenGLState::ScopedglColorMask colorMask(state);
+  vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkShadowFramebuffer::Scope target(my.Window, my.Buffer.GetFramebuffer(),
+    &my.Buffer.GetReceivers(), &my.Buffer.GetReceiverDepth(), 0);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  const float nothing[] = { 0.0f, 0.0f, 0.0f, 0.0f };
+  const float farthest = 1.0f;
+  glClearBufferfv(GL_COLOR, 0, nothing);
+  glClearBufferfv(GL_DEPTH, 0, &farthest);
+
+  this->UpdateInjection(true);
+  my.Buffer.GetTarget().Activate(my.Window);
+  this->MarkProps(true);
+  for (vtkProp* prop : my.Props)
+  {
+    prop->RenderOpaqueGeometry(my.Renderer);
+  }
+  this->MarkProps(false);
+  my.Buffer.GetTarget().Deactivate(my.Window);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::FillVisibility(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer)
+{
+  vtkShadowFramebuffer::Scope target(
+    frame.Window, buffer.GetFramebuffer(), &buffer.GetTarget(), nullptr, 0);
+  for (std::size_t i = 0; i < frame.Lights.size(); ++i)
+  {
+    target.SetLayer(static_cast<int>(i));
+    this->DrawEvaluation(frame, buffer, static_cast<int>(i));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::DrawEvaluation(
+  vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int light, double share)
+{
+  Internals& my = *this->Internal;
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  const std::string source = vtkShadowInjection::GetEvaluation(
+    my.GetPreamble() + (buffer.WantsCost() ? "#define SHADOW_OUTPUT_COST\n" : "") +
+      (share > 0.0 ? "#define SHADOW_OUTPUT_CHANGE\n" : ""),
+    this->GetVisibilityGLSL());
+  this->DrawQuad(source,
+    [&](vtkShaderProgram* program)
+    {
+      buffer.GetReceivers().Activate(frame.Window);
+      program->SetUniformi("shadowReceivers", buffer.GetReceivers().GetUnit());
+      program->SetUniformi("shadowLight", light);
+      program->SetUniformf("shadowShare", static_cast<float>(share));
+      my.SetLights(program);
+      this->SetVisibilityParameters(program);
+    });
+  buffer.GetReceivers().Deactivate(frame.Window);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::DrawQuad(
+  const std::string& fragmentShader, const std::function<void(vtkShaderProgram*)>& setParameters)
+{
+  Internals& my = *this->Internal;
+  vtkShaderProgram* program =
+    my.Window->GetShaderCache()->ReadyShaderProgram(vtkShadowQuadVS, fragmentShader.c_str(), "");
+  if (!program)
+  {
+    return; // the shader cache has reported why
+  }
+  setParameters(program);
+  if (!my.QuadVertexArray)
+  {
+    glGenVertexArrays(1, &my.QuadVertexArray);
+  }
+  glBindVertexArray(my.QuadVertexArray);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glBindVertexArray(0);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::DrawDebug()
+{
+  static const char* const common[] = { "visibility", "penumbra", "cost" };
+  Internals& my = *this->Internal;
+  vtkOpenGLState* state = my.Window->GetState();
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_BLEND);
+  const auto* found = std::find(common, common + 3, my.DebugView);
+  if (found == common + 3)
+  {
+    this->DrawDebugView(my.Frame, my.DebugView);
+    return;
+  }
+  const bool cost = my.DebugView == "cost";
+  if (cost)
+  {
+    my.Buffer.SetWantsCost(my.Window, true);
+    this->FillVisibility(my.Frame, my.Buffer);
+  }
+  int viewport[4];
+  state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  std::string source = vtkShadowDebugFS;
+  vtkShaderProgram::Substitute(
+    source, "SHADOW_DEBUG_SWIZZLE", my.Buffer.IsColor() && !cost ? "texel.rgb" : "texel.rrr");
+  my.Buffer.GetTarget().Activate(my.Window);
+  my.Buffer.GetReceivers().Activate(my.Window);
+  this->DrawQuad(source,
+    [&](vtkShaderProgram* program)
+    {
+      program->SetUniformi("shadowReceivers", my.Buffer.GetReceivers().GetUnit());
+      program->SetUniformi("shadowBuffer", my.Buffer.GetTarget().GetUnit());
+      program->SetUniform2i("shadowOrigin", viewport);
+      program->SetUniformi("shadowLights", static_cast<int>(my.Frame.Lights.size()));
+      program->SetUniformi("shadowView", static_cast<int>(found - common));
+      program->SetUniformf(
+        "shadowCostScale", static_cast<float>(1.0 / std::max(1.0, this->GetMaximumCost())));
+    });
+  my.Buffer.GetReceivers().Deactivate(my.Window);
+  my.Buffer.GetTarget().Deactivate(my.Window);
+  my.Buffer.SetWantsCost(my.Window, false);
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkShadowPass::GetVisibility(vtkLight* light)
+{
+  Internals& my = *this->Internal;
+  for (std::size_t i = 0; i < my.Frame.Lights.size(); ++i)
+  {
+    if (my.Frame.Lights[i].Light == light)
+    {
+      return this->GetVisibilityOfLayer(static_cast<int>(i));
+    }
+  }
+  return this->GetVisibilityOfLayer(-1);
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkShadowPass::GetVisibility(int light)
+{
+  return this->GetVisibilityOfLayer(
+    light >= 0 && light < static_cast<int>(this->Internal->Frame.Lights.size()) ? light : -1);
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkShadowPass::GetVisibilityOfLayer(int layer)
+{
+  Internals& my = *this->Internal;
+  if (!my.Window || !my.Renderer || !my.Holding)
+  {
+    vtkErrorMacro("GetVisibility: there is no frame; render with this pass first.");
+    return nullptr;
+  }
+  my.Window->MakeCurrent();
+  if (!my.BufferValid)
+  {
+    vtkOpenGLState* state = my.Window->GetState();
+    state->Push();
+    if (!my.Active)
+    {
+      int origin[2];
+      my.Renderer->GetTiledSizeAndOrigin(&my.Size[0], &my.Size[1], &origin[0], &origin[1]);
+    }
+    this->EvaluateVisibility();
+    state->Pop();
+  }
+  const int width = my.Buffer.GetWidth();
+  const int height = my.Buffer.GetHeight();
+  const int stored = my.Buffer.GetComponents();
+  const int components = stored == 1 ? 1 : 3;
+  const vtkIdType pixels = static_cast<vtkIdType>(width) * height;
+  const auto receivers = my.Buffer.ReadReceivers(my.Window);
+  const bool shadowed = my.Active && layer >= 0;
+  const auto values = shadowed ? my.Buffer.ReadVisibility(my.Window, layer) : std::vector<float>();
+
+  vtkNew<vtkFloatArray> visibility;
+  visibility->SetName("Visibility");
+  visibility->SetNumberOfComponents(components);
+  visibility->SetNumberOfTuples(pixels);
+  vtkNew<vtkUnsignedCharArray> mask;
+  mask->SetName("Receiver");
+  mask->SetNumberOfTuples(pixels);
+  for (vtkIdType i = 0; i < pixels; ++i)
+  {
+    mask->SetValue(i, receivers[i].w != 0.0f);
+    for (int c = 0; c < components; ++c)
+    {
+      visibility->SetComponent(i, c, shadowed ? values[i * stored + c] : 1.0f);
+    }
+  }
+  my.VisibilityImage->Initialize();
+  my.VisibilityImage->SetDimensions(width, height, 1);
+  my.VisibilityImage->GetPointData()->SetScalars(visibility);
+  my.VisibilityImage->GetPointData()->AddArray(mask);
+  return my.VisibilityImage;
+}
