@@ -38,6 +38,7 @@ bool vtkShadowTexture::Allocate(
     std::size_t Size;
   };
   static constexpr Layout layouts[] = { { GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, 4 },
+    { GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, 4 },
     { GL_R32F, GL_RED, 4 }, { GL_RGBA32F, GL_RGBA, 16 } };
   const Layout& layout = layouts[static_cast<int>(format)];
   while (glGetError() != GL_NO_ERROR)

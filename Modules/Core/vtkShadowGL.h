@@ -21,8 +21,9 @@ class VTKSOFTSHADOWSCORE_EXPORT vtkShadowTexture
 public:
   enum class Format
   {
-    Depth,  // 32-bit float
-    Float1, // 32-bit float each
+    Depth,   // 32-bit float
+    Depth24, // as windows have it
+    Float1,  // 32-bit float each
     Float4
   };
   enum class Sampling

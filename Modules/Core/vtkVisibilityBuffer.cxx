@@ -11,7 +11,7 @@ bool vtkVisibilityBuffer::Allocate(
   using Format = vtkShadowTexture::Format;
   this->Color = color;
   return this->Receivers.Allocate(window, Format::Float4, width, height, 1) &&
-         this->ReceiverDepth.Allocate(window, Format::Depth, width, height, 1) &&
+         this->ReceiverDepth.Allocate(window, Format::Depth24, width, height, 1) &&
          this->Visibility.Allocate(
            window, color ? Format::Float4 : Format::Float1, width, height, lights);
 }

@@ -2,7 +2,8 @@
 //
 //   receivers   RGBA32F  xyz: position in VC; w: packed normal (see vtkShadowLightsFS.glsl),
 //                        negative where the prop does not cast, 0 where nothing receives
-//   depth       32F      helper of the receivers
+//   depth       24 bits  helper of the receivers; as the window's, so that coplanar surfaces hide each
+//                        other as they do in the picture
 //   visibility  R32F, or RGBA32F with a textured light; a layer each light
 //   cost        R32F, a layer each light; only for the debug view
 

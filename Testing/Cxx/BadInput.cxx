@@ -36,9 +36,9 @@ void AddWithTriangle(ShadowStage& stage, const glm::dvec3 (&triangle)[3])
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  for (const glm::dvec3& p : { glm::dvec3(-0.5, -0.5, 1.0), glm::dvec3(0.5, -0.5, 1.0),
-         glm::dvec3(0.5, 0.5, 1.0), glm::dvec3(-0.5, 0.5, 1.0), triangle[0], triangle[1],
-         triangle[2] })
+  for (const glm::dvec3& p :
+    { glm::dvec3(-0.5, -0.5, 1.0), glm::dvec3(0.5, -0.5, 1.0), glm::dvec3(0.5, 0.5, 1.0),
+      glm::dvec3(-0.5, 0.5, 1.0), triangle[0], triangle[1], triangle[2] })
   {
     points->InsertNextPoint(&p.x);
   }
@@ -82,7 +82,8 @@ SHADOW_TEST(BadInput, Parameters, Each)
   stage.AddThings();
   stage.AddLight(LightKind::Point);
   vtkShadowPass* pass = stage.SetPass(technique);
-  const auto refuse = [&](const std::string& name, const std::string& value) {
+  const auto refuse = [&](const std::string& name, const std::string& value)
+  {
     const bool known = ShadowStage::HasParameter(technique, name);
     const std::string before = known ? pass->GetParameter(name) : "";
     ShadowTest::Check(!pass->SetParameter(name, value), name + " took '" + value + "'");
@@ -102,7 +103,7 @@ SHADOW_TEST(BadInput, Parameters, Each)
     refuse(parameter.Name, "");
     refuse(parameter.Name, "maybe");
     if (parameter.ValueType == vtkShadowParameter::Type::Integer ||
-      parameter.ValueType == vtkShadowParameter::Type::Real)
+        parameter.ValueType == vtkShadowParameter::Type::Real)
     {
       refuse(parameter.Name, std::to_string(parameter.Minimum - 1.0));
       refuse(parameter.Name, std::to_string(parameter.Maximum + 1.0));
@@ -156,18 +157,19 @@ SHADOW_TEST(BadInput, PointsThatAreNotFinite, Each)
     const std::string what = "a point at " + std::to_string(bad);
     ShadowStage stage;
     Stand(stage);
-    AddWithTriangle(
-      stage, { { bad, 0.0, 1.0 }, { 1.0, bad, 1.0 }, { 1.0, 1.0, bad } });
+    AddWithTriangle(stage, { { bad, 0.0, 1.0 }, { 1.0, bad, 1.0 }, { 1.0, 1.0, bad } });
     stage.SetPass(technique);
     stage.Render();
     stage.Render();
     ShadowTest::CheckOneMessage(Message::Warning, { technique }, what);
     ShadowTest::CheckEqual(stage.Count("trianglesDropped"), 1.0, what + ", trianglesDropped");
     ShadowTest::CheckEqual(stage.Count("triangles"), 4.0, what + ", triangles");
-    const Visibility expected = RenderVisibility(technique, {}, [](ShadowStage& other) {
-      Stand(other);
-      other.AddQuad({ -0.5, -0.5, 1.0 }, { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
-    });
+    const Visibility expected = RenderVisibility(technique, {},
+      [](ShadowStage& other)
+      {
+        Stand(other);
+        other.AddQuad({ -0.5, -0.5, 1.0 }, { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
+      });
     CheckDrawn(stage, what);
     ShadowTest::CheckAtMost(Compare(stage.GetVisibility(), expected).Share, 0.001,
       what + ": pixels other than without it");
@@ -248,10 +250,11 @@ SHADOW_TEST(BadInput, LightsThatCastNothing, Each)
       Same(stage.GetPicture(), plain), std::string(test.first) + ": not the picture of no pass");
     // Without any light there are no receivers, as nothing is lit.
     const Visibility visibility = stage.GetVisibility();
-    ShadowTest::Check(std::all_of(visibility.V.begin(), visibility.V.end(),
-                        [](float v) { return v == 1.0f; }),
+    ShadowTest::Check(
+      std::all_of(visibility.V.begin(), visibility.V.end(), [](float v) { return v == 1.0f; }),
       std::string(test.first) + ": V is not 1");
-    ShadowTest::CheckAtMost(stage.Count("mapsDrawn"), 0.0, std::string(test.first) + ", maps drawn");
+    ShadowTest::CheckAtMost(
+      stage.Count("mapsDrawn"), 0.0, std::string(test.first) + ", maps drawn");
   }
 }
 
@@ -293,8 +296,8 @@ SHADOW_TEST(BadInput, UnsupportedShapes, Each)
       ShadowTest::CheckNoMessage(GetName(kind));
       continue;
     }
-    ShadowTest::CheckOneMessage(
-      Message::Warning, { technique, kind == LightKind::Spot ? "point" : GetName(kind) }, GetName(kind));
+    ShadowTest::CheckOneMessage(Message::Warning,
+      { technique, kind == LightKind::Spot ? "point" : GetName(kind) }, GetName(kind));
     ShadowTest::CheckEqual(GetRange(stage.GetVisibility()).first, 1.0, "V of that light");
   }
 }

@@ -83,15 +83,20 @@ const std::vector<Edit>& GetEdits()
   static const std::vector<Edit> edits = {
     { "nothing", Nothing, [](CachingStage&) {} },
     { "camera moved", Nothing,
-      [](CachingStage& stage) { stage.LookAt({ 4.0, -5.0, 6.0 }, { 0.0, 0.2, 0.3 }); } },
+      [](CachingStage& stage) {
+        stage.LookAt({ 4.0, -5.0, 6.0 }, { 0.0, 0.2, 0.3 });
+      } },
     { "camera near a part", Nothing,
-      [](CachingStage& stage) { stage.LookAt({ 1.0, -2.5, 1.5 }, { -0.8, 0.3, 0.3 }); } },
+      [](CachingStage& stage) {
+        stage.LookAt({ 1.0, -2.5, 1.5 }, { -0.8, 0.3, 0.3 });
+      } },
     { "an actor's colour", Nothing,
       [](CachingStage& stage) { stage.Things->GetProperty()->SetColor(0.1, 0.9, 0.2); } },
     { "an actor's shininess", Nothing,
       [](CachingStage& stage) { stage.Things->GetProperty()->SetSpecular(0.4); } },
     { "point scalars", Nothing,
-      [](CachingStage& stage) {
+      [](CachingStage& stage)
+      {
         vtkPolyData* mesh = stage.GetMesh();
         vtkNew<vtkFloatArray> scalars;
         for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
@@ -119,7 +124,9 @@ const std::vector<Edit>& GetEdits()
     { "actor removed", Casters,
       [](CachingStage& stage) { stage.Renderer->RemoveActor(stage.Things); } },
     { "actor added", Casters,
-      [](CachingStage& stage) { stage.AddBox({ -1.0, -2.0, 0.5 }, { 0.5, 0.5, 1.0 }); } },
+      [](CachingStage& stage) {
+        stage.AddBox({ -1.0, -2.0, 0.5 }, { 0.5, 0.5, 1.0 });
+      } },
     { "actor's casting off", Casters,
       [](CachingStage& stage) { vtkShadowPass::SetCasting(stage.Things, false); } },
     { "actor made translucent", Casters,
@@ -129,7 +136,8 @@ const std::vector<Edit>& GetEdits()
     { "mesh edited at its source", Casters,
       [](CachingStage& stage) { stage.Cube->SetZLength(2.0); } },
     { "mesh's points edited in place", Casters,
-      [](CachingStage& stage) {
+      [](CachingStage& stage)
+      {
         vtkPoints* points = stage.GetMesh()->GetPoints();
         for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
         {
@@ -140,9 +148,8 @@ const std::vector<Edit>& GetEdits()
         points->Modified();
       } },
     { "mesh exchanged", Casters,
-      [](CachingStage& stage) {
-        stage.Things->GetMapper()->SetInputConnection(stage.Cube->GetOutputPort());
-      } },
+      [](CachingStage& stage)
+      { stage.Things->GetMapper()->SetInputConnection(stage.Cube->GetOutputPort()); } },
     { "assembly moved", Casters,
       [](CachingStage& stage) { stage.Assembly->SetPosition(0.4, -0.3, 0.0); } },
     { "part of an assembly moved", Casters,
@@ -173,9 +180,8 @@ SHADOW_TEST(Caching, NothingIsStale, Each)
     edit.Apply(stage);
     stage.Render();
     const Visibility after = stage.GetVisibility();
-    ShadowTest::Check(Same(after, expected),
-      std::string(edit.Name) + ": V is stale, by at most " +
-        std::to_string(Compare(after, expected).Maximum));
+    ShadowTest::Check(Same(after, expected), std::string(edit.Name) + ": V is stale, by at most " +
+                                               std::to_string(Compare(after, expected).Maximum));
     if (edit.Expected != Nothing)
     {
       ShadowTest::Check(!Same(after, before), std::string(edit.Name) + ": no change in V");
@@ -195,8 +201,8 @@ SHADOW_TEST(Caching, OnlyTheChangedIsRebuilt, Each)
     edit.Apply(stage);
     stage.Render();
     const std::string what = edit.Name;
-    ShadowTest::CheckEqual(
-      stage.Count("castersRebuilt"), edit.Expected == Casters ? 1.0 : 0.0, what + ", castersRebuilt");
+    ShadowTest::CheckEqual(stage.Count("castersRebuilt"), edit.Expected == Casters ? 1.0 : 0.0,
+      what + ", castersRebuilt");
     for (const char* name : { "mapsDrawn", "meshesBuilt" }) // of the techniques that have them
     {
       const double count = stage.Count(name);
@@ -249,7 +255,8 @@ SHADOW_TEST(Caching, ParametersAreNotStale, Each)
     stage.SetPass(technique);
     stage.Render();
     const Visibility before = stage.GetVisibility();
-    ShadowTest::Check(stage.Pass->SetParameter(parameter.Name, value), "cannot set " + parameter.Name);
+    ShadowTest::Check(
+      stage.Pass->SetParameter(parameter.Name, value), "cannot set " + parameter.Name);
     stage.Render();
     const Visibility after = stage.GetVisibility();
     ShadowTest::Check(

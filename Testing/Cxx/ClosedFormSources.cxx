@@ -33,7 +33,8 @@ SHADOW_TEST(ClosedForm, HalfPlane, Each)
   stage.LookAt({ 3.0, -1.0, 1.8 }, { 0.0, 0.0, 0.0 }); // below the edge
   CheckClosedForm(
     technique, stage, floor,
-    [](const glm::dvec3& p) {
+    [](const glm::dvec3& p)
+    {
       const double edge = std::clamp(p.x * (1.0 - H / h) / R, -1.0, 1.0);
       const double covered =
         0.5 + (std::asin(edge) + edge * std::sqrt(1.0 - edge * edge)) / glm::radians(180.0);
@@ -70,7 +71,8 @@ SHADOW_TEST(ClosedForm, SphereUnderTheSun, Each)
         glm::normalize(towards + r * (std::cos(angle) * u + std::sin(angle) * v)));
     }
   }
-  const auto misses = [&](const glm::dvec3& p, const glm::dvec3& direction) {
+  const auto misses = [&](const glm::dvec3& p, const glm::dvec3& direction)
+  {
     const glm::dvec3 to = centre - p;
     const double along = glm::dot(to, direction);
     return along < 0.0 || glm::dot(to, to) - along * along > radius * radius;
@@ -85,7 +87,8 @@ SHADOW_TEST(ClosedForm, SphereUnderTheSun, Each)
   stage.LookAt({ 3.0, -6.5, 4.0 }, { 0.3, 0.2, 0.6 });
   CheckClosedForm(
     technique, stage, floor,
-    [&](const glm::dvec3& p) {
+    [&](const glm::dvec3& p)
+    {
       // Far from the shadow there is nothing to count.
       const double off = glm::length(glm::cross(centre - p, towards));
       if (off > radius + 0.3 * glm::length(centre - p))

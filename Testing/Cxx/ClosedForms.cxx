@@ -52,9 +52,9 @@ double SeeRectangle(const glm::dvec3& p, const glm::dvec2& light, double lightHe
   {
     const double low = p[c] + scale * (-blocker[c] - p[c]);
     const double high = p[c] + scale * (blocker[c] - p[c]);
-    covered *= light[c] > 0.0
-      ? std::max(0.0, std::min(high, light[c]) - std::max(low, -light[c])) / (2.0 * light[c])
-      : (low < 0.0 && high > 0.0 ? 1.0 : 0.0);
+    covered *= light[c] > 0.0 ? std::max(0.0, std::min(high, light[c]) - std::max(low, -light[c])) /
+                                  (2.0 * light[c])
+                              : (low < 0.0 && high > 0.0 ? 1.0 : 0.0);
   }
   return Clamp(1.0 - covered);
 }
@@ -87,7 +87,8 @@ void CheckClosedForm(const std::string& technique, ShadowStage& stage, vtkActor*
   // What is measured is there: half of the light's shadow at least.
   ShadowTest::CheckAtLeast(static_cast<double>(penumbra), 0.01 * use.size(), "penumbra's pixels");
 
-  const auto measure = [&](const Parameters& parameters) {
+  const auto measure = [&](const Parameters& parameters)
+  {
     Parameters all = { { "resolution", "512" } };
     all.insert(parameters.begin(), parameters.end());
     stage.SetPass(technique, all);
@@ -96,8 +97,9 @@ void CheckClosedForm(const std::string& technique, ShadowStage& stage, vtkActor*
   };
   if (ShadowStage::Describe(technique).Hard)
   {
-    ShadowTest::CheckAtMost(Compare(measure({ { "resolution", "1024" } }), truthHard, 0.5, use).Share,
-      0.015, "pixels that differ from the truth of the light's centre");
+    ShadowTest::CheckAtMost(
+      Compare(measure({ { "resolution", "1024" } }), truthHard, 0.5, use).Share, 0.015,
+      "pixels that differ from the truth of the light's centre");
     return;
   }
   bool declared = false;
@@ -134,16 +136,18 @@ SHADOW_TEST(ClosedForm, Rectangle, Each)
   {
     for (double y = -3.0; y <= 3.0; y += 0.19)
     {
-      worst = std::max(worst,
-        std::abs(vtkShadowScenes::BlockerVisibility(x, y) -
-          SeeRectangle({ x, y, 0.0 }, { 1.0, 1.0 }, 6.0, { 1.0, 1.0 }, 2.0)));
+      worst = std::max(
+        worst, std::abs(vtkShadowScenes::BlockerVisibility(x, y) -
+                        SeeRectangle({ x, y, 0.0 }, { 1.0, 1.0 }, 6.0, { 1.0, 1.0 }, 2.0)));
     }
   }
   ShadowTest::CheckAtMost(worst, 1e-12, "the scene's closed form against this test's");
   CheckClosedForm(
     technique, stage, floor,
     [](const glm::dvec3& p) { return vtkShadowScenes::BlockerVisibility(p.x, p.y); },
-    [](const glm::dvec3& p) { return SeeRectangle(p, { 0.0, 0.0 }, 6.0, { 1.0, 1.0 }, 2.0); });
+    [](const glm::dvec3& p) {
+      return SeeRectangle(p, { 0.0, 0.0 }, 6.0, { 1.0, 1.0 }, 2.0);
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -171,7 +175,8 @@ SHADOW_TEST(ClosedForm, StretchedRectangle, Each)
       [&](const glm::dvec3& p) {
         return SeeRectangle(p, half, 6.0, { 1.0, 0.8 }, 1.5);
       },
-      [](const glm::dvec3& p) { return SeeRectangle(p, { 0.0, 0.0 }, 6.0, { 1.0, 0.8 }, 1.5); });
+      [](const glm::dvec3& p) {
+        return SeeRectangle(p, { 0.0, 0.0 }, 6.0, { 1.0, 0.8 }, 1.5);
+      });
   }
 }
-

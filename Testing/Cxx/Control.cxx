@@ -225,7 +225,8 @@ SHADOW_TEST(Control, TwoViewports, Each)
   Stand(alone);
   alone.SetPass(technique, Fine);
   alone.Render();
-  ShadowTest::Check(Same(alone.GetVisibility(), visibility), "V of the right is not that of it alone");
+  ShadowTest::Check(
+    Same(alone.GetVisibility(), visibility), "V of the right is not that of it alone");
   const Picture single = alone.GetPicture();
   std::size_t wrong = 0;
   for (int y = 0; y < 130; ++y)
@@ -235,7 +236,7 @@ SHADOW_TEST(Control, TwoViewports, Each)
       for (int c = 0; c < 3; ++c)
       {
         wrong += std::abs(int(single.RGB[3 * (y * 132 + x) + c]) -
-                   int(both.RGB[3 * (y * 220 + x + 88) + c])) > 1;
+                          int(both.RGB[3 * (y * 220 + x + 88) + c])) > 1;
       }
     }
   }
@@ -270,8 +271,7 @@ SHADOW_TEST(Control, Picking, Each)
   bool found = false;
   for (unsigned int i = 0; i < selection->GetNumberOfNodes(); ++i)
   {
-    found = found ||
-      selection->GetNode(i)->GetProperties()->Get(vtkSelectionNode::PROP()) == box;
+    found = found || selection->GetNode(i)->GetProperties()->Get(vtkSelectionNode::PROP()) == box;
   }
   ShadowTest::Check(found, "the box was not picked");
   stage.Render();
@@ -284,14 +284,16 @@ SHADOW_TEST(Control, RendererFeatures, Each)
 {
   const std::pair<const char*, std::function<void(ShadowStage&)>> features[] = {
     { "depth peeling",
-      [](ShadowStage& stage) {
+      [](ShadowStage& stage)
+      {
         stage.Renderer->UseDepthPeelingOn();
         stage.AddBox({ 1.5, 1.5, 0.5 }, { 0.5, 0.5, 1.0 })->GetProperty()->SetOpacity(0.4);
       } },
     { "FXAA", [](ShadowStage& stage) { stage.Renderer->UseFXAAOn(); } },
     { "samples", [](ShadowStage& stage) { stage.Window->SetMultiSamples(4); } },
     { "parallel camera",
-      [](ShadowStage& stage) {
+      [](ShadowStage& stage)
+      {
         stage.Renderer->GetActiveCamera()->ParallelProjectionOn();
         stage.Renderer->GetActiveCamera()->SetParallelScale(2.5);
       } },
@@ -299,7 +301,7 @@ SHADOW_TEST(Control, RendererFeatures, Each)
   for (const auto& feature : features)
   {
     ShadowStage stage;
-    vtkActor* box = Stand(stage);
+    Stand(stage);
     feature.second(stage);
     stage.Render();
     const Picture plain = stage.GetPicture();
@@ -308,8 +310,9 @@ SHADOW_TEST(Control, RendererFeatures, Each)
     const Picture picture = stage.GetPicture();
     const Visibility visibility = stage.GetVisibility();
     ShadowTest::CheckNoMessage(feature.first);
-    // Lit pixels that have only lit ones around them are as VTK draws them; dark ones are darker.
-    // Through translucent things more than one surface shows, so those are left out.
+    // Lit pixels that have only lit ones of the same surface around them are as VTK draws them; dark
+    // ones are darker. (A pixel of several samples may show a shadow that begins behind an edge.)
+    const auto inner = ShadowOracle(stage).GetInner(3);
     std::size_t lit = 0;
     std::size_t dark = 0;
     std::size_t wrong = 0;
@@ -326,6 +329,10 @@ SHADOW_TEST(Control, RendererFeatures, Each)
           high = std::max(high, v);
         }
         const std::size_t i = y * 160 + x;
+        if (!inner[i])
+        {
+          continue;
+        }
         const bool darker = picture.RGB[3 * i] < plain.RGB[3 * i];
         if (visibility.Mask[i] && low == 1.0)
         {
@@ -339,13 +346,17 @@ SHADOW_TEST(Control, RendererFeatures, Each)
         }
       }
     }
-    ShadowTest::CheckAtLeast(static_cast<double>(lit), 3000.0, std::string(feature.first) + ", lit");
-    ShadowTest::CheckAtLeast(static_cast<double>(dark), 300.0, std::string(feature.first) + ", dark");
+    ShadowTest::CheckAtLeast(
+      static_cast<double>(lit), 3000.0, std::string(feature.first) + ", lit");
+    ShadowTest::CheckAtLeast(
+      static_cast<double>(dark), 300.0, std::string(feature.first) + ", dark");
     // The translucent box covers some 700 pixels of both.
     const bool translucent = stage.Renderer->GetUseDepthPeeling();
-    ShadowTest::CheckAtMost(
-      static_cast<double>(wrong), translucent ? 700.0 : 0.0, std::string(feature.first) + ", wrong");
-    box->VisibilityOff();
-    stage.Render();
+    ShadowTest::CheckAtMost(static_cast<double>(wrong), translucent ? 700.0 : 0.0,
+      std::string(feature.first) + ", wrong");
+    if (!translucent)
+    {
+      CheckAgainstOracle(stage, {}, feature.first);
+    }
   }
 }

@@ -58,19 +58,22 @@ const std::vector<Material>& GetMaterials()
   static const std::vector<Material> materials = {
     { "plain", [](ShadowStage&, vtkActor*) {} },
     { "shiny",
-      [](ShadowStage&, vtkActor* floor) {
+      [](ShadowStage&, vtkActor* floor)
+      {
         floor->GetProperty()->SetSpecular(0.6);
         floor->GetProperty()->SetSpecularPower(10.0);
       } },
     { "textured",
-      [](ShadowStage&, vtkActor* floor) {
+      [](ShadowStage&, vtkActor* floor)
+      {
         AddTextureCoordinates(floor);
         vtkNew<vtkTexture> texture;
         texture->SetInputData(MakeCheckers());
         floor->SetTexture(texture);
       } },
     { "scalar colours",
-      [](ShadowStage&, vtkActor* floor) {
+      [](ShadowStage&, vtkActor* floor)
+      {
         auto* polygons = vtkPolyData::SafeDownCast(floor->GetMapper()->GetInputDataObject(0, 0));
         vtkNew<vtkFloatArray> scalars;
         for (int i = 0; i < 4; ++i)
@@ -81,29 +84,34 @@ const std::vector<Material>& GetMaterials()
         floor->GetMapper()->ScalarVisibilityOn();
       } },
     { "PBR",
-      [](ShadowStage&, vtkActor* floor) {
+      [](ShadowStage&, vtkActor* floor)
+      {
         floor->GetProperty()->SetInterpolationToPBR();
         floor->GetProperty()->SetRoughness(0.5);
         floor->GetProperty()->SetMetallic(0.1);
       } },
-    { "flat", [](ShadowStage&, vtkActor* floor) { floor->GetProperty()->SetInterpolationToFlat(); } },
+    { "flat",
+      [](ShadowStage&, vtkActor* floor) { floor->GetProperty()->SetInterpolationToFlat(); } },
     { "edges visible",
       [](ShadowStage&, vtkActor* floor) { floor->GetProperty()->EdgeVisibilityOn(); } },
     { "two-sided",
-      [](ShadowStage&, vtkActor* floor) {
+      [](ShadowStage&, vtkActor* floor)
+      {
         vtkNew<vtkProperty> back;
         back->SetColor(1.0, 0.0, 0.0);
         floor->SetBackfaceProperty(back);
       } },
     { "clipped",
-      [](ShadowStage&, vtkActor* floor) {
+      [](ShadowStage&, vtkActor* floor)
+      {
         vtkNew<vtkPlane> plane;
         plane->SetOrigin(-2.5, 0.0, 0.0);
         plane->SetNormal(1.0, 0.0, 0.0);
         floor->GetMapper()->AddClippingPlane(plane);
       } },
     { "with lines beside it",
-      [](ShadowStage& stage, vtkActor*) {
+      [](ShadowStage& stage, vtkActor*)
+      {
         vtkNew<vtkLineSource> line;
         line->SetPoint1(-1.8, -2.0, 0.1);
         line->SetPoint2(2.0, -2.5, 0.1);
@@ -111,7 +119,8 @@ const std::vector<Material>& GetMaterials()
         stage.Add(line->GetOutput())->GetProperty()->SetLineWidth(3.0);
       } },
     { "with points beside it",
-      [](ShadowStage& stage, vtkActor*) {
+      [](ShadowStage& stage, vtkActor*)
+      {
         vtkNew<vtkLineSource> line;
         line->SetPoint1(-1.8, -2.0, 0.1);
         line->SetPoint2(2.0, -2.5, 0.1);
@@ -122,7 +131,8 @@ const std::vector<Material>& GetMaterials()
         stage.Add(points->GetOutput())->GetProperty()->SetPointSize(4.0);
       } },
     { "with a wireframe beside it",
-      [](ShadowStage& stage, vtkActor*) {
+      [](ShadowStage& stage, vtkActor*)
+      {
         stage.AddBox({ -2.0, -1.5, 0.5 }, { 0.5, 0.5, 1.0 })
           ->GetProperty()
           ->SetRepresentationToWireframe();

@@ -13,8 +13,8 @@ SHADOW_TEST(DebugViews, EachShowsSomething, Each)
 {
   ShadowStage stage;
   stage.AddThings();
-  stage.AddLight(
-    ShadowStage::Supports(technique, LightKind::Rectangle) ? LightKind::Rectangle : LightKind::Point);
+  stage.AddLight(ShadowStage::Supports(technique, LightKind::Rectangle) ? LightKind::Rectangle
+                                                                        : LightKind::Point);
   stage.SetPass(technique);
   stage.Render();
   const Picture plain = stage.GetPicture();
@@ -30,8 +30,7 @@ SHADOW_TEST(DebugViews, EachShowsSomething, Each)
     std::set<int> colors;
     for (std::size_t i = 0; i < picture.RGB.size(); i += 3)
     {
-      colors.insert(
-        picture.RGB[i] * 65536 + picture.RGB[i + 1] * 256 + picture.RGB[i + 2]);
+      colors.insert(picture.RGB[i] * 65536 + picture.RGB[i + 1] * 256 + picture.RGB[i + 2]);
     }
     // Background and two values at least: more than a constant over the receivers.
     ShadowTest::CheckAtLeast(static_cast<double>(colors.size()), 3.0, "view " + view + ", colours");
@@ -53,8 +52,8 @@ SHADOW_TEST(DebugViews, VisibilityIsV, Each)
 {
   ShadowStage stage;
   stage.AddThings();
-  stage.AddLight(
-    ShadowStage::Supports(technique, LightKind::Rectangle) ? LightKind::Rectangle : LightKind::Point);
+  stage.AddLight(ShadowStage::Supports(technique, LightKind::Rectangle) ? LightKind::Rectangle
+                                                                        : LightKind::Point);
   stage.SetPass(technique);
   stage.Pass->SetDebugView("visibility");
   stage.Render();
@@ -65,7 +64,8 @@ SHADOW_TEST(DebugViews, VisibilityIsV, Each)
   {
     if (visibility.Mask[i])
     {
-      worst = std::max(worst, std::abs(int(picture.RGB[3 * i]) - int(255.0f * visibility.V[i] + 0.5f)));
+      worst =
+        std::max(worst, std::abs(int(picture.RGB[3 * i]) - int(255.0f * visibility.V[i] + 0.5f)));
     }
   }
   ShadowTest::CheckAtMost(worst, 1.0, "largest difference, of 255");

@@ -13,10 +13,12 @@ namespace
 Visibility Show(
   const std::string& technique, LightKind kind, double size, const Parameters& parameters = {})
 {
-  return RenderVisibility(technique, parameters, [&](ShadowStage& stage) {
-    stage.AddThings();
-    ShadowStage::Shrink(stage.AddLight(kind), size);
-  });
+  return RenderVisibility(technique, parameters,
+    [&](ShadowStage& stage)
+    {
+      stage.AddThings();
+      ShadowStage::Shrink(stage.AddLight(kind), size);
+    });
 }
 
 /** Pixels within some of an edge of a hard visibility. */
@@ -32,7 +34,7 @@ std::vector<unsigned char> GetEdges(const Visibility& hard, int reach)
         const int nx = std::clamp(x + k % (2 * reach + 1) - reach, 0, hard.Width - 1);
         const int ny = std::clamp(y + k / (2 * reach + 1) - reach, 0, hard.Height - 1);
         if (hard(nx, ny) != hard(x, y) ||
-          hard.Mask[ny * hard.Width + nx] != hard.Mask[y * hard.Width + x])
+            hard.Mask[ny * hard.Width + nx] != hard.Mask[y * hard.Width + x])
         {
           edges[y * hard.Width + x] = 1;
         }
@@ -74,7 +76,8 @@ SHADOW_TEST(Law, ZeroSizeIsHard, Each)
   vtkLight* light = stage.AddLight(LightKind::Point);
   const Visibility truth = ShadowOracle(stage).GetHard(light);
   const Visibility fine = Show(technique, LightKind::Point, 0.0, { { "resolution", "1024" } });
-  ShadowTest::CheckAtMost(Compare(fine, truth, 0.5).Share, 0.015, "pixels that differ from the truth");
+  ShadowTest::CheckAtMost(
+    Compare(fine, truth, 0.5).Share, 0.015, "pixels that differ from the truth");
   const auto edges = GetEdges(truth, 2);
   std::size_t between = 0;
   for (std::size_t i = 0; i < fine.V.size(); ++i)
@@ -170,9 +173,10 @@ SHADOW_TEST(Law, ShadowTouchesItsCaster, Each)
         }
         const glm::dvec3 ray = place - pixels[i].Position;
         const double texel = ShadowStage::HasParameter(technique, "resolution")
-          ? glm::length(size) / 64.0 * glm::length(ray) /
-            (glm::length(place - centre) - 0.5 * glm::length(size)) / (ray.z / glm::length(ray))
-          : 1e-3 * glm::length(size);
+                               ? glm::length(size) / 64.0 * glm::length(ray) /
+                                   (glm::length(place - centre) - 0.5 * glm::length(size)) /
+                                   (ray.z / glm::length(ray))
+                               : 1e-3 * glm::length(size);
         // How far into the shadow: the smallest circle of floor around it that reaches light, or the
         // box's own foot.
         double depth = 10.0 * texel;

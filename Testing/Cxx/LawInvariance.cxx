@@ -34,7 +34,8 @@ Visibility Show(const std::string& technique, LightKind kind, const Placement& p
 {
   return RenderVisibility(
     technique, {},
-    [kind](ShadowStage& stage) {
+    [kind](ShadowStage& stage)
+    {
       stage.AddThings();
       vtkAreaLight* light = stage.AddLight(kind);
       if (kind == LightKind::Directional)
@@ -54,7 +55,8 @@ void CheckSame(const std::string& technique, LightKind kind, const Visibility& e
   ShadowTest::CheckAtMost(difference.Share, share, what + ": pixels that differ");
   ShadowTest::CheckAtMost(difference.MaskShare, PixelShare, what + ": receivers that differ");
   // Those that differ may do so by 1, the others by one sample of 16 on a hundred times as many.
-  ShadowTest::CheckAtMost(difference.RMSE, std::sqrt(share + 100.0 * share / 256.0), what + ": RMSE");
+  ShadowTest::CheckAtMost(
+    difference.RMSE, std::sqrt(share + 100.0 * share / 256.0), what + ": RMSE");
 }
 }
 
@@ -108,8 +110,8 @@ SHADOW_TEST(Law, RotationChangesNothing, Each)
     for (const bool byActor : { false, true })
     {
       Placement place;
-      place.Turn = glm::dmat3(
-        glm::rotate(glm::dmat4(1.0), 0.7, glm::normalize(glm::dvec3(1.0, 2.0, 3.0))));
+      place.Turn =
+        glm::dmat3(glm::rotate(glm::dmat4(1.0), 0.7, glm::normalize(glm::dvec3(1.0, 2.0, 3.0))));
       place.ByActor = byActor;
       CheckSame(technique, kind, expected, place, byActor ? "by actor" : "by points",
         ShadowStage::HasParameter(technique, "resolution") ? 0.007 : PixelShare);

@@ -53,7 +53,8 @@ SHADOW_TEST(Law, ReusedFrameIsTheSame, Each)
   stage.Render();
   const Visibility expected = stage.GetVisibility();
   const Picture picture = stage.GetPicture();
-  const auto check = [&](const std::string& what) {
+  const auto check = [&](const std::string& what)
+  {
     stage.Render();
     ShadowTest::Check(Same(stage.GetPicture(), picture), what + ": picture differs");
     const Visibility visibility = stage.GetVisibility();
@@ -64,8 +65,8 @@ SHADOW_TEST(Law, ReusedFrameIsTheSame, Each)
   // Away so far that no prop is in the picture.
   stage.LookAt({ 30.0, 0.0, 4.0 }, { 60.0, 0.0, 4.0 });
   stage.Render();
-  ShadowTest::CheckEqual(
-    static_cast<double>(stage.GetVisibility().GetNumberOfReceivers()), 0.0, "receivers out of view");
+  ShadowTest::CheckEqual(static_cast<double>(stage.GetVisibility().GetNumberOfReceivers()), 0.0,
+    "receivers out of view");
   stage.LookAt({ 3.5, -6.5, 4.5 }, { 0.2, 0.2, 0.3 });
   check("camera away and back");
 

@@ -44,8 +44,8 @@ std::vector<glm::dvec3> GetCorners(const glm::dvec3& centre, double reach)
   std::vector<glm::dvec3> corners;
   for (int i = 0; i < 8; ++i)
   {
-    corners.push_back(centre +
-      reach * glm::dvec3(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0));
+    corners.push_back(
+      centre + reach * glm::dvec3(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0));
   }
   return corners;
 }
@@ -134,7 +134,7 @@ SHADOW_TEST(Law, ConvexBodyIsLitOrDark, Each)
         dark[i] = sum == -9;
       }
       const std::string what = std::string(sphere ? "sphere" : "box") + ", light at height " +
-        std::to_string(height).substr(0, 3);
+                               std::to_string(height).substr(0, 3);
       ShadowTest::CheckEqual(ShareOther(visibility, lit, 1.0f), 0.0, what + ": lit and not 1");
       if (sphere) // the box shows no dark side
       {
@@ -180,7 +180,8 @@ SHADOW_TEST(Law, FloorTowardsLightIsOne, Each)
 // V is finite and in [0,1], wherever the light is.
 SHADOW_TEST(Law, IsAShare, Each)
 {
-  const auto check = [](ShadowStage& stage, const std::string& what) {
+  const auto check = [](ShadowStage& stage, const std::string& what)
+  {
     stage.Render();
     const Visibility visibility = stage.GetVisibility(0);
     const auto range = GetRange(visibility);

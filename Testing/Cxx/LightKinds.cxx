@@ -104,7 +104,8 @@ SHADOW_TEST(LightKinds, Spot, Each)
   for (const auto& pixel : oracle.GetPixels())
   {
     const glm::dvec3 ray = pixel.Position - place;
-    inside.push_back(pixel.Actor &&
+    inside.push_back(
+      pixel.Actor &&
       glm::dot(ray, -place) > std::cos(glm::radians(29.9)) * glm::length(ray) * glm::length(place));
   }
   const Visibility visibility = stage.GetVisibility();

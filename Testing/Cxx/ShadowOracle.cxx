@@ -48,8 +48,7 @@ ShadowOracle::ShadowOracle(ShadowStage& stage, const std::set<vtkActor*>& ignore
       for (vtkIdType k = 2; k < ids->GetNumberOfIds(); ++k)
       {
         const glm::dvec3 a = points[ids->GetId(0)];
-        body.Triangles.push_back(
-          { a, points[ids->GetId(k - 1)] - a, points[ids->GetId(k)] - a });
+        body.Triangles.push_back({ a, points[ids->GetId(k - 1)] - a, points[ids->GetId(k)] - a });
       }
     }
     for (const auto& p : points)
@@ -78,19 +77,24 @@ ShadowOracle::ShadowOracle(ShadowStage& stage, const std::set<vtkActor*>& ignore
     {
       const double sx = (2.0 * (x + 0.5) - this->Width) / this->Height;
       const double sy = (2.0 * (y + 0.5) - this->Height) / this->Height;
-      const glm::dvec3 direction = ahead + tangent * (sx * right + sy * above);
+      const glm::dvec3 aside = sx * right + sy * above;
+      const bool parallel = camera->GetParallelProjection();
+      const glm::dvec3 from = parallel ? eye + camera->GetParallelScale() * aside : eye;
+      const glm::dvec3 direction = parallel ? ahead : ahead + tangent * aside;
       SurfacePoint& pixel = this->Pixels[static_cast<std::size_t>(y) * this->Width + x];
       double nearest = std::numeric_limits<double>::max();
-      this->ForEachHit(eye, direction, [&](const Body& body, const Triangle& triangle, double t) {
-        if (t < nearest)
+      this->ForEachHit(from, direction,
+        [&](const Body& body, const Triangle& triangle, double t)
         {
-          nearest = t;
-          const glm::dvec3 normal = glm::normalize(glm::cross(triangle.AB, triangle.AC));
-          pixel = { body.Actor, eye + t * direction,
-            glm::dot(normal, direction) < 0.0 ? normal : -normal };
-        }
-        return false;
-      });
+          if (t < nearest)
+          {
+            nearest = t;
+            const glm::dvec3 normal = glm::normalize(glm::cross(triangle.AB, triangle.AC));
+            pixel = { body.Actor, from + t * direction,
+              glm::dot(normal, direction) < 0.0 ? normal : -normal };
+          }
+          return false;
+        });
     }
   }
 }
@@ -132,8 +136,9 @@ void ShadowOracle::ForEachHit(
 bool ShadowOracle::IsBlocked(const glm::dvec3& from, const glm::dvec3& to, bool directional) const
 {
   bool blocked = false;
-  this->ForEachHit(
-    from, directional ? to : to - from, [&](const Body& body, const Triangle&, double t) {
+  this->ForEachHit(from, directional ? to : to - from,
+    [&](const Body& body, const Triangle&, double t)
+    {
       blocked = body.Casts && (directional || t < 1.0);
       return blocked;
     });
@@ -141,8 +146,7 @@ bool ShadowOracle::IsBlocked(const glm::dvec3& from, const glm::dvec3& to, bool 
 }
 
 //------------------------------------------------------------------------------
-bool ShadowOracle::IsBlocked(
-  const SurfacePoint& from, const glm::dvec3& to, bool directional) const
+bool ShadowOracle::IsBlocked(const SurfacePoint& from, const glm::dvec3& to, bool directional) const
 {
   return this->IsBlocked(from.Position + 1e-9 * this->Size * from.Normal, to, directional);
 }
@@ -158,9 +162,9 @@ Visibility ShadowOracle::GetHard(vtkLight* light) const
   light->GetTransformedFocalPoint(&focus.x);
   for (const auto& pixel : this->Pixels)
   {
-    const bool blocked = pixel.Actor &&
-      (light->GetPositional() ? this->IsBlocked(pixel, position)
-                              : this->IsBlocked(pixel, position - focus, true));
+    const bool blocked =
+      pixel.Actor && (light->GetPositional() ? this->IsBlocked(pixel, position)
+                                             : this->IsBlocked(pixel, position - focus, true));
     result.V.push_back(blocked ? 0.0f : 1.0f);
     result.Mask.push_back(pixel.Actor ? 1 : 0);
   }
@@ -191,9 +195,8 @@ std::vector<unsigned char> ShadowOracle::GetInner(int pixels) const
       {
         for (int dx = -pixels; dx <= pixels; ++dx)
         {
-          same = same &&
-            this->Pixels[(y + dy) * this->Width + x + dx].Actor ==
-              this->Pixels[y * this->Width + x].Actor;
+          same = same && this->Pixels[(y + dy) * this->Width + x + dx].Actor ==
+                           this->Pixels[y * this->Width + x].Actor;
         }
       }
       inner[y * this->Width + x] = same;

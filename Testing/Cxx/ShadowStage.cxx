@@ -28,8 +28,8 @@
 
 namespace
 {
-void GLAPIENTRY ReportGL(GLenum, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* text,
-  const void*)
+void GLAPIENTRY ReportGL(
+  GLenum, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* text, const void*)
 {
   if (type == GL_DEBUG_TYPE_ERROR || severity == GL_DEBUG_SEVERITY_HIGH)
   {
@@ -57,8 +57,8 @@ int Picture::Difference(const Picture& other, std::size_t pixel) const
 }
 
 //------------------------------------------------------------------------------
-Difference Compare(const Visibility& a, const Visibility& b, double threshold,
-  const std::vector<unsigned char>& use)
+Difference Compare(
+  const Visibility& a, const Visibility& b, double threshold, const std::vector<unsigned char>& use)
 {
   Difference result;
   if (a.V.size() != b.V.size() || a.Width != b.Width || a.V.empty())
@@ -105,7 +105,7 @@ Difference Compare(const Visibility& a, const Visibility& b, double threshold,
 bool Same(const Visibility& a, const Visibility& b)
 {
   return a.V.size() == b.V.size() && a.Mask == b.Mask &&
-    std::memcmp(a.V.data(), b.V.data(), a.V.size() * sizeof(float)) == 0;
+         std::memcmp(a.V.data(), b.V.data(), a.V.size() * sizeof(float)) == 0;
 }
 
 //------------------------------------------------------------------------------
@@ -216,8 +216,7 @@ vtkActor* ShadowStage::Add(vtkPolyData* polygons, const glm::dvec3& color)
     }
     actor->SetUserMatrix(matrix);
     // Moved as users do: by the actor's position, which the user matrix comes after.
-    glm::dvec3 offset =
-      glm::transpose(this->Place.Turn) * this->Place.Offset / this->Place.Scale;
+    glm::dvec3 offset = glm::transpose(this->Place.Turn) * this->Place.Offset / this->Place.Scale;
     actor->SetPosition(&offset.x);
   }
   this->Renderer->AddActor(actor);
@@ -225,8 +224,7 @@ vtkActor* ShadowStage::Add(vtkPolyData* polygons, const glm::dvec3& color)
 }
 
 //------------------------------------------------------------------------------
-vtkActor* ShadowStage::AddQuad(
-  const glm::dvec3& corner, const glm::dvec3& a, const glm::dvec3& b)
+vtkActor* ShadowStage::AddQuad(const glm::dvec3& corner, const glm::dvec3& a, const glm::dvec3& b)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -246,8 +244,8 @@ vtkActor* ShadowStage::AddQuad(
 //------------------------------------------------------------------------------
 vtkActor* ShadowStage::AddFloor(double halfSide, double height)
 {
-  return this->AddQuad({ -halfSide, -halfSide, height }, { 2.0 * halfSide, 0.0, 0.0 },
-    { 0.0, 2.0 * halfSide, 0.0 });
+  return this->AddQuad(
+    { -halfSide, -halfSide, height }, { 2.0 * halfSide, 0.0, 0.0 }, { 0.0, 2.0 * halfSide, 0.0 });
 }
 
 //------------------------------------------------------------------------------
@@ -383,12 +381,13 @@ vtkShadowPass* ShadowStage::SetPass(const std::string& technique, const Paramete
 //------------------------------------------------------------------------------
 bool ShadowStage::HasParameter(const std::string& technique, const std::string& name)
 {
-  const auto has = [&](const std::vector<vtkShadowParameter>& list) {
+  const auto has = [&](const std::vector<vtkShadowParameter>& list)
+  {
     return std::any_of(
       list.begin(), list.end(), [&](const vtkShadowParameter& p) { return p.Name == name; });
   };
   return has(ShadowStage::Describe(technique).Parameters) ||
-    has(vtkShadowPass::GetCommonParameters());
+         has(vtkShadowPass::GetCommonParameters());
 }
 
 //------------------------------------------------------------------------------
@@ -492,7 +491,7 @@ int ShadowStage::CountGLObjects()
   for (GLuint name = 1; name < 8192; ++name) // names are small numbers in every driver
   {
     count += glIsTexture(name) + glIsBuffer(name) + glIsFramebuffer(name) + glIsQuery(name) +
-      glIsVertexArray(name);
+             glIsVertexArray(name);
   }
   return count;
 }

@@ -53,11 +53,11 @@ void Fail(const std::string& text)
   std::cout << Prefix << text << std::endl;
 }
 
-bool CheckFigure(bool holds, double value, const char* relation, double bound,
-  const std::string& what)
+bool CheckFigure(
+  bool holds, double value, const char* relation, double bound, const std::string& what)
 {
-  std::cout << (holds ? std::string("  ") : Prefix) << what << ": " << value << " (" << relation << " "
-            << bound << ")" << std::endl;
+  std::cout << (holds ? std::string("  ") : Prefix) << what << ": " << value << " (" << relation
+            << " " << bound << ")" << std::endl;
   Failures += holds ? 0 : 1;
   return holds;
 }
@@ -129,11 +129,12 @@ bool ShadowTest::CheckOneMessage(
   Message::Kind source, const std::vector<std::string>& words, const std::string& what)
 {
   const auto messages = ShadowTest::TakeMessages();
-  const bool holds = messages.size() == 1 && messages[0].Source == source &&
-    std::all_of(words.begin(), words.end(), [&](const std::string& word) {
-      return messages[0].Text.find(word) != std::string::npos;
-    });
-  return ShadowTest::Check(holds, what + ": not the one message expected, but" + Describe(messages));
+  const bool holds =
+    messages.size() == 1 && messages[0].Source == source &&
+    std::all_of(words.begin(), words.end(),
+      [&](const std::string& word) { return messages[0].Text.find(word) != std::string::npos; });
+  return ShadowTest::Check(
+    holds, what + ": not the one message expected, but" + Describe(messages));
 }
 
 //------------------------------------------------------------------------------

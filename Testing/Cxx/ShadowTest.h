@@ -55,9 +55,9 @@ int TakeFailures();
 ///@}
 }
 
-#define SHADOW_TEST(group, name, scope)                                                            \
-  static void group##name(const std::string& technique);                                           \
-  static const ShadowTest::Registration group##name##Registration(#group "." #name, group##name);  \
+#define SHADOW_TEST(group, name, scope)                                                           \
+  static void group##name(const std::string& technique);                                          \
+  static const ShadowTest::Registration group##name##Registration(#group "." #name, group##name); \
   static void group##name([[maybe_unused]] const std::string& technique)
 
 #endif
