@@ -128,7 +128,10 @@ void vtkRayTracedShadowPass::FillVisibility(vtkShadowFrame& frame, vtkVisibility
       const double cost = frame.Lights[i].IsPoint() ? 1.0 : samples;
       for (const auto& receiver : receivers)
       {
-        values[receiver.Pixel] = static_cast<float>(cost);
+        values[receiver.Pixel] =
+          vtkShadowRayTracer::NeedsRays(frame.Lights[i], frame.Casters->GetOrigin(), receiver)
+            ? static_cast<float>(cost)
+            : 0.0f;
       }
     }
     else

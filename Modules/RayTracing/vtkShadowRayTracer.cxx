@@ -70,25 +70,6 @@ struct Patterns
   std::vector<float> B;
   std::vector<glm::dvec3> Weights; // with an emission texture only
 };
-
-/** The whole light lies behind the receiver's own surface: as in vtkShadowLightsFS.glsl. */
-bool FacesAway(const vtkShadowLight& light, const glm::dvec3& place,
-  const vtkShadowRayTracer::Receiver& receiver)
-{
-  const double u = std::abs(glm::dot(receiver.Normal, light.U));
-  const double v = std::abs(glm::dot(receiver.Normal, light.V));
-  double reach = std::sqrt(u * u + v * v);
-  if (light.Kind == vtkShadowLight::Shape::Sphere)
-  {
-    reach = glm::length(light.U);
-  }
-  else if (light.Kind == vtkShadowLight::Shape::Rectangle)
-  {
-    reach = u + v;
-  }
-  const glm::dvec3 towards = light.IsDirectional() ? place : place - receiver.Position;
-  return glm::dot(receiver.Normal, towards) + reach <= 0.0;
-}
 }
 
 class vtkShadowRayTracer::Internals
@@ -303,6 +284,31 @@ glm::dvec3 vtkShadowRayTracer::Internals::TracePixel(const vtkShadowLight& light
 }
 
 //------------------------------------------------------------------------------
+bool vtkShadowRayTracer::NeedsRays(
+  const vtkShadowLight& light, const glm::dvec3& origin, const Receiver& receiver)
+{
+  if (!receiver.Casts)
+  {
+    return true;
+  }
+  // As shadowFacesAway in vtkShadowLightsFS.glsl.
+  const double u = std::abs(glm::dot(receiver.Normal, light.U));
+  const double v = std::abs(glm::dot(receiver.Normal, light.V));
+  double reach = std::sqrt(u * u + v * v);
+  if (light.Kind == vtkShadowLight::Shape::Sphere)
+  {
+    reach = glm::length(light.U);
+  }
+  else if (light.Kind == vtkShadowLight::Shape::Rectangle)
+  {
+    reach = u + v;
+  }
+  const glm::dvec3 towards =
+    light.IsDirectional() ? -light.Direction : light.Position - origin - receiver.Position;
+  return glm::dot(receiver.Normal, towards) + reach >= 0.0;
+}
+
+//------------------------------------------------------------------------------
 double vtkShadowRayTracer::Trace(const vtkShadowLight& light, const glm::dvec3& origin,
   const std::vector<Receiver>& receivers, int samples, int components,
   std::vector<float>& visibility) const
@@ -318,7 +324,7 @@ double vtkShadowRayTracer::Trace(const vtkShadowLight& light, const glm::dvec3& 
     {
       const Receiver& receiver = receivers[i];
       glm::dvec3 visible(0.0);
-      if (!receiver.Casts || !FacesAway(light, place, receiver))
+      if (vtkShadowRayTracer::NeedsRays(light, origin, receiver))
       {
         visible = my.TracePixel(light, place, receiver, patterns);
         ++pixels;

@@ -45,6 +45,10 @@ public:
     const std::vector<Receiver>& receivers, int samples, int components,
     std::vector<float>& visibility) const;
 
+  /** Whether a receiver's rays can decide anything: its own surface does not hide the whole light. */
+  static bool NeedsRays(
+    const vtkShadowLight& light, const glm::dvec3& origin, const Receiver& receiver);
+
   void Clear();
 
 private:

@@ -301,35 +301,3 @@ SHADOW_TEST(BadInput, UnsupportedShapes, Each)
     ShadowTest::CheckEqual(GetRange(stage.GetVisibility()).first, 1.0, "V of that light");
   }
 }
-
-//------------------------------------------------------------------------------
-// A map larger than the GPU allows: one warning that tells the size, and a shadow from a smaller one.
-// Not run where the GPU has what the parameter can ask for.
-SHADOW_TEST(BadInput, ResolutionTooLarge, Each)
-{
-  if (!ShadowStage::HasParameter(technique, "resolution"))
-  {
-    return;
-  }
-  ShadowStage stage;
-  Stand(stage);
-  stage.AddBox({ 0.0, 0.0, 0.5 }, { 1.0, 1.0, 1.0 });
-  GLint largest = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-  double maximum = 0.0;
-  for (const auto& parameter : ShadowStage::Describe(technique).Parameters)
-  {
-    maximum = parameter.Name == "resolution" ? parameter.Maximum : maximum;
-  }
-  if (maximum <= largest)
-  {
-    std::cout << "  not run: the GPU has textures of " << largest << "\n";
-    return;
-  }
-  stage.SetPass(technique, { { "resolution", std::to_string(static_cast<int>(maximum)) } });
-  stage.Render();
-  stage.Render();
-  ShadowTest::CheckOneMessage(
-    Message::Warning, { technique, std::to_string(largest) }, "a map too large");
-  CheckDrawn(stage, "a map too large");
-}

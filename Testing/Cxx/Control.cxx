@@ -174,6 +174,28 @@ SHADOW_TEST(Control, TranslucentCaster, Each)
 }
 
 //------------------------------------------------------------------------------
+// Wide, tall and tiny windows: the picture's shape moves no shadow.
+SHADOW_TEST(Control, WindowShapes, Each)
+{
+  const int sizes[][2] = { { 230, 90 }, { 90, 230 }, { 61, 37 } };
+  for (const auto& size : sizes)
+  {
+    ShadowStage stage(size[0], size[1]);
+    Stand(stage);
+    stage.SetPass(technique, Fine);
+    stage.Render();
+    const std::string what = std::to_string(size[0]) + " x " + std::to_string(size[1]);
+    ShadowTest::CheckEqual(stage.GetVisibility().Width, size[0], what + ", width");
+    ShadowTest::CheckEqual(stage.GetVisibility().Height, size[1], what + ", height");
+    // Edges take the larger a share, the fewer pixels there are.
+    auto* light = vtkLight::SafeDownCast(stage.Renderer->GetLights()->GetItemAsObject(0));
+    ShadowTest::CheckAtMost(
+      Compare(stage.GetVisibility(), ShadowOracle(stage).GetHard(light), 0.5).Share,
+      EdgeShare * 160.0 / size[1], what + ": pixels that differ");
+  }
+}
+
+//------------------------------------------------------------------------------
 // Two viewports of a window that is not square, each with a pass: each as if it were alone.
 SHADOW_TEST(Control, TwoViewports, Each)
 {

@@ -119,8 +119,10 @@ std::vector<ShadowTest::Message> ShadowTest::TakeMessages()
 //------------------------------------------------------------------------------
 void ShadowTest::AddMessage(Message::Kind source, const std::string& text)
 {
-  // At once, for those that come before a crash; words that ctest takes for failures stay out.
-  std::cout << "  said: " << text.substr(text.find_first_not_of("ERWARNIG: ")) << std::endl;
+  // At once, for those that come before a crash; not in words that ctest takes for a failure.
+  const std::string prefix = "ERROR: ";
+  std::cout << "  said: " << (text.compare(0, prefix.size(), prefix) == 0 ? text.substr(7) : text)
+            << std::endl;
   Messages.push_back({ source, text });
 }
 

@@ -1,0 +1,103 @@
+// What the GPU cannot do: one clear message, and a frame. The tests play a smaller GPU than there is.
+
+#include "ShadowStage.h"
+#include "ShadowTest.h"
+
+#include "vtk_glew.h"
+
+#include <algorithm>
+#include <dlfcn.h>
+
+using ShadowTest::Message;
+
+namespace
+{
+int LargestTexture = 0; // 0: what the GPU says
+
+PFNGLTEXIMAGE3DPROC TexImage3D = nullptr;
+
+/** No memory for any array texture: GL is asked for one that cannot be. */
+void GLAPIENTRY FailTexImage3D(GLenum target, GLint level, GLint internal, GLsizei, GLsizei height,
+  GLsizei depth, GLint border, GLenum format, GLenum type, const void* pixels)
+{
+  TexImage3D(target, level, internal, -1, height, depth, border, format, type, pixels);
+}
+
+void Build(ShadowStage& stage, const std::string& technique)
+{
+  stage.AddThings();
+  stage.AddLight(
+    ShadowStage::Supports(technique, LightKind::Sphere) ? LightKind::Sphere : LightKind::Point);
+}
+}
+
+/** In the place of OpenGL's, for all libraries of this program. */
+extern "C" __attribute__((visibility("default"))) void glGetIntegerv(GLenum name, GLint* value)
+{
+  using Function = void (*)(GLenum, GLint*);
+  static const auto original = reinterpret_cast<Function>(dlsym(RTLD_NEXT, "glGetIntegerv"));
+  original(name, value);
+  if (name == GL_MAX_TEXTURE_SIZE && LargestTexture > 0)
+  {
+    *value = LargestTexture;
+  }
+}
+
+//------------------------------------------------------------------------------
+// A map larger than the GPU allows: one warning, in however many frames, that tells both sizes; the
+// frame is that of the largest map.
+SHADOW_TEST(BadInput, ResolutionTooLarge, Each)
+{
+  if (!ShadowStage::HasParameter(technique, "resolution"))
+  {
+    return;
+  }
+  const Visibility expected = RenderVisibility(
+    technique, { { "resolution", "300" } }, [&](ShadowStage& stage) { Build(stage, technique); });
+  LargestTexture = 300;
+  ShadowStage stage;
+  Build(stage, technique);
+  stage.SetPass(technique, { { "resolution", "4000" } });
+  stage.Render();
+  stage.Render();
+  ShadowTest::CheckOneMessage(Message::Warning, { technique, "4000", "300" }, "a map too large");
+  ShadowTest::Check(Same(stage.GetVisibility(), expected), "not V of the largest map");
+  ShadowTest::CheckEqual(GetRange(expected).first, 0.0, "there is a shadow");
+  LargestTexture = 0;
+}
+
+//------------------------------------------------------------------------------
+// No memory: one error, in however many frames, and the picture of no pass. With memory again, and a
+// parameter set or not, the shadow is there.
+SHADOW_TEST(BadInput, NoMemory, Each)
+{
+  ShadowStage stage;
+  Build(stage, technique);
+  stage.Render();
+  const Picture plain = stage.GetPicture();
+  TexImage3D = glTexImage3D;
+  glTexImage3D = FailTexImage3D;
+  stage.SetPass(technique, { { "evaluation", "screen" } });
+  stage.Render();
+  const Picture picture = stage.GetPicture();
+  stage.Render();
+  auto messages = ShadowTest::TakeMessages();
+  // GL's own word is this test's doing.
+  const auto last = std::remove_if(messages.begin(), messages.end(),
+    [](const Message& message) { return message.Source == Message::GL; });
+  ShadowTest::Check(last != messages.end(), "the technique makes no array texture");
+  ShadowTest::CheckEqual(
+    static_cast<double>(last - messages.begin()), 1.0, "messages of two frames");
+  ShadowTest::Check(last != messages.begin() && messages[0].Source == Message::Error &&
+                      messages[0].Text.find(technique) != std::string::npos &&
+                      messages[0].Text.find("memory") != std::string::npos,
+    "not an error that tells of the memory");
+  ShadowTest::Check(Same(picture, plain), "not the picture of no pass");
+
+  stage.Pass->GetVisibility(0); // whatever it gives
+  ShadowTest::TakeMessages();
+  glTexImage3D = TexImage3D;
+  stage.Render();
+  ShadowTest::CheckNoMessage("with memory again");
+  ShadowTest::CheckEqual(GetRange(stage.GetVisibility()).first, 0.0, "lowest V with memory again");
+}

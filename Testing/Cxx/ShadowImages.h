@@ -1,0 +1,53 @@
+// Visibilities and pictures, and how they differ.
+
+#ifndef ShadowImages_h
+#define ShadowImages_h
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+/** Visibility of one light at the pixels of a viewport, row by row from the bottom. */
+struct Visibility
+{
+  int Width = 0;
+  int Height = 0;
+  int Components = 1;
+  std::vector<float> V; // Components a pixel
+  std::vector<unsigned char> Mask;
+
+  float operator()(int x, int y) const { return this->V[y * this->Width + x]; }
+  std::size_t GetNumberOfReceivers() const;
+};
+
+/** 8-bit RGB, row by row from the bottom. */
+struct Picture
+{
+  int Width = 0;
+  int Height = 0;
+  std::vector<unsigned char> RGB;
+
+  /** The largest difference of a channel at a pixel. */
+  int Difference(const Picture& other, std::size_t pixel) const;
+};
+
+/** How two visibilities differ, over the pixels that are receivers in both. */
+struct Difference
+{
+  double RMSE = 0.0;
+  double Maximum = 0.0;
+  double Share = 0.0;     // of pixels that differ by more than the threshold
+  double MaskShare = 0.0; // of all pixels: receivers in one of both alone
+  std::size_t Pixels = 0;
+};
+
+/** A NaN differs from everything. Pixels where `use` is 0 do not count. */
+Difference Compare(const Visibility& a, const Visibility& b, double threshold = 0.1,
+  const std::vector<unsigned char>& use = {});
+/** Values and mask are the same bit by bit. */
+bool Same(const Visibility& a, const Visibility& b);
+bool Same(const Picture& a, const Picture& b);
+/** The lowest and highest V of the receivers; NaN where one is NaN. */
+std::pair<float, float> GetRange(const Visibility& visibility);
+
+#endif
