@@ -262,7 +262,8 @@ std::vector<vtkLightView> vtkLightFrusta::GetDirectionalViews(const glm::dvec3& 
 std::vector<vtkLightView> vtkLightFrusta::GetPositionalViews(const glm::dvec3& position) const
 {
   std::vector<vtkLightView> views;
-  if (this->Light.ConeAngle <= WidestHalfAngle)
+  // VTK has one cone, at the centre: another place on the light has to see beyond its own.
+  if (this->Light.ConeAngle <= WidestHalfAngle && position == this->Light.Position - this->Origin)
   {
     this->AddPerspectiveView(
       position, this->Light.Direction, std::tan(glm::radians(this->Light.ConeAngle)), views);

@@ -58,7 +58,7 @@ bool Casts(vtkActor* actor)
          (mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkCompositePolyDataMapper")) &&
          !MakesItsOwnGeometry(mapper) && mapper->GetNumberOfInputConnections(0) > 0 &&
          actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
-         !actor->HasTranslucentPolygonalGeometry() && vtkShadowPass::GetCasting(actor);
+         !actor->HasTranslucentPolygonalGeometry();
 }
 
 /** The polygon data sets that a mapper draws, brought up to date. */
@@ -132,29 +132,33 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer)
   }
 
   std::vector<Placed> placed;
-  std::vector<std::array<double, 6>> receivers;
-  const auto addActor = [&](vtkActor* actor, vtkMatrix4x4* matrix)
+  std::vector<std::array<glm::dvec3, 8>> receivers; // in the world
+  const auto addActor = [&](vtkProp* root, vtkActor* actor, vtkMatrix4x4* matrix)
   {
-    if (!Casts(actor))
-    {
-      const double* bounds = actor->GetBounds();
-      if (bounds && bounds[0] <= bounds[1])
-      {
-        receivers.push_back({ bounds[0], bounds[1], bounds[2], bounds[3], bounds[4], bounds[5] });
-      }
-      return;
-    }
     const glm::dmat4 modelToWorld = glm::transpose(glm::make_mat4(matrix->GetData()));
-    for (vtkPolyData* polygons : GetInputs(actor->GetMapper()))
+    const std::size_t before = placed.size();
+    if (vtkShadowPass::GetCasting(root) && Casts(actor))
     {
-      auto& mesh = known[polygons];
-      if (!mesh || mesh->SourceTime != vtkShadowMesh::GetShapeTime(polygons))
+      for (vtkPolyData* polygons : GetInputs(actor->GetMapper()))
       {
-        mesh = vtkShadowMesh::Make(polygons);
+        auto& mesh = known[polygons];
+        if (!mesh || mesh->SourceTime != vtkShadowMesh::GetShapeTime(polygons))
+        {
+          mesh = vtkShadowMesh::Make(polygons);
+        }
+        if (!mesh->Indices.empty() || mesh->Dropped > 0)
+        {
+          placed.push_back({ mesh, actor, glm::translate(modelToWorld, mesh->Centre) });
+        }
       }
-      if (!mesh->Indices.empty() || mesh->Dropped > 0)
+    }
+    const double* b = actor->GetMapper() ? actor->GetMapper()->GetBounds() : nullptr;
+    if (placed.size() == before && b && b[0] <= b[1])
+    {
+      receivers.push_back(BoxCorners({ b[0], b[2], b[4] }, { b[1], b[3], b[5] }));
+      for (auto& corner : receivers.back())
       {
-        placed.push_back({ mesh, actor, glm::translate(modelToWorld, mesh->Centre) });
+        corner = glm::dvec3(modelToWorld * glm::dvec4(corner, 1.0));
       }
     }
   };
@@ -165,7 +169,8 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer)
   {
     if (prop->GetVisibility())
     {
-      vtkShadowPass::ForEachActor(prop, addActor);
+      vtkShadowPass::ForEachActor(
+        prop, [&](vtkActor* actor, vtkMatrix4x4* matrix) { addActor(prop, actor, matrix); });
     }
   }
 
@@ -209,14 +214,15 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer)
   }
   this->Casters = std::move(casters);
 
-  std::vector<std::array<glm::dvec3, 8>> receiverBoxes;
-  for (const auto& b : receivers)
+  for (auto& box : receivers)
   {
-    receiverBoxes.push_back(BoxCorners(
-      glm::dvec3(b[0], b[2], b[4]) - this->Origin, glm::dvec3(b[1], b[3], b[5]) - this->Origin));
+    for (auto& corner : box)
+    {
+      corner -= this->Origin;
+    }
   }
-  changed = changed || receiverBoxes != this->Receivers;
-  this->Receivers = std::move(receiverBoxes);
+  this->ReceiverVersion += receivers != this->Receivers ? 1 : 0;
+  this->Receivers = std::move(receivers);
 
   this->MeshVersion += meshesChanged ? 1 : 0;
   this->Version += changed ? 1 : 0;
@@ -263,12 +269,18 @@ void vtkShadowCasters::Upload(vtkOpenGLRenderWindow* window)
     indices.reserve(3 * this->GetNumberOfTriangles());
     gpu.Counts.clear();
     gpu.Offsets.clear();
+    std::map<const vtkShadowMesh*, std::size_t> offsets; // casters share their mesh's place
     for (const auto& caster : this->Casters)
     {
       const vtkShadowMesh& mesh = *caster.Mesh;
-      const auto first = static_cast<std::uint32_t>(vertices.size() / 3);
+      const auto place = offsets.emplace(&mesh, indices.size() * sizeof(std::uint32_t));
       gpu.Counts.push_back(static_cast<GLsizei>(mesh.Indices.size()));
-      gpu.Offsets.push_back(indices.size() * sizeof(std::uint32_t));
+      gpu.Offsets.push_back(place.first->second);
+      if (!place.second)
+      {
+        continue;
+      }
+      const auto first = static_cast<std::uint32_t>(vertices.size() / 3);
       vertices.insert(vertices.end(), mesh.Positions.begin(),
         mesh.Positions.begin() + 3 * mesh.GetNumberOfVertices());
       for (const std::uint32_t index : mesh.Indices)

@@ -31,7 +31,7 @@ class vtkRenderer;
 struct vtkShadowCaster
 {
   std::shared_ptr<const vtkShadowMesh> Mesh;
-  vtkProp* Prop = nullptr;
+  vtkProp* Prop = nullptr; // whose it is; not to be used beyond the frame
   glm::dmat4 MeshToWC{ 1.0 };
   /** Corners of the mesh's box in WC. */
   std::array<glm::dvec3, 8> Corners;
@@ -60,8 +60,10 @@ public:
   const glm::dvec3& GetOrigin() const { return this->Origin; }
   /** Diagonal of the box around all casters, in world units. */
   double GetSize() const { return this->Size; }
-  /** Rises with every change. */
+  /** Rises with every change of what casts. */
   unsigned long GetVersion() const { return this->Version; }
+  /** Rises when the boxes of GetReceivers() change. */
+  unsigned long GetReceiverVersion() const { return this->ReceiverVersion; }
   /** Rises only when meshes came, went or changed: matrices alone leave it. */
   unsigned long GetMeshVersion() const { return this->MeshVersion; }
 
@@ -92,6 +94,7 @@ private:
   double Size = 0.0;
   unsigned long Version = 0;
   unsigned long MeshVersion = 0;
+  unsigned long ReceiverVersion = 0;
   std::unique_ptr<Buffers> GPU;
 };
 

@@ -22,7 +22,7 @@ struct VTKSOFTSHADOWSCORE_EXPORT vtkShadowFrame
   vtkOpenGLRenderWindow* Window = nullptr;
   vtkShadowCasters* Casters = nullptr;
   vtkShadowTimers* Timers = nullptr;
-  /** The casting lights that this technique can treat and that something can be shadowed from. */
+  /** The casting lights that this technique can treat. */
   std::vector<vtkShadowLight> Lights;
   /** Any of the lights is textured: visibility is then a colour. */
   bool Color = false;

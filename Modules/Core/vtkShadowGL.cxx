@@ -8,13 +8,6 @@
 #include <algorithm>
 
 //------------------------------------------------------------------------------
-void vtkShadowTexture::Bind(vtkOpenGLRenderWindow* window)
-{
-  // A unit of our own keeps what VTK has bound elsewhere.
-  this->Activate(window);
-}
-
-//------------------------------------------------------------------------------
 bool vtkShadowTexture::Allocate(
   vtkOpenGLRenderWindow* window, Format format, int width, int height, int layers)
 {
@@ -29,8 +22,9 @@ bool vtkShadowTexture::Allocate(
   this->Width = width;
   this->Height = height;
   this->Layers = layers;
+  ++this->Generation;
   glGenTextures(1, &this->Handle);
-  this->Bind(window);
+  this->Activate(window);
   struct Layout
   {
     GLint Internal;
@@ -38,8 +32,8 @@ bool vtkShadowTexture::Allocate(
     std::size_t Size;
   };
   static constexpr Layout layouts[] = { { GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, 4 },
-    { GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, 4 },
-    { GL_R32F, GL_RED, 4 }, { GL_RGBA32F, GL_RGBA, 16 } };
+    { GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, 4 }, { GL_R32F, GL_RED, 4 },
+    { GL_RGBA32F, GL_RGBA, 16 } };
   const Layout& layout = layouts[static_cast<int>(format)];
   while (glGetError() != GL_NO_ERROR)
   {
@@ -64,9 +58,9 @@ bool vtkShadowTexture::Allocate(
 void vtkShadowTexture::SetSampling(vtkOpenGLRenderWindow* window, Sampling sampling)
 {
   const bool active = this->Unit >= 0;
-  this->Bind(window);
-  const bool linear = sampling == Sampling::Linear || sampling == Sampling::CompareLinear;
-  const bool compare = sampling == Sampling::CompareNearest || sampling == Sampling::CompareLinear;
+  this->Activate(window);
+  const bool linear = sampling == Sampling::CompareLinear;
+  const bool compare = linear || sampling == Sampling::CompareNearest;
   glTexParameteri(this->Target, GL_TEXTURE_MIN_FILTER, linear ? GL_LINEAR : GL_NEAREST);
   glTexParameteri(this->Target, GL_TEXTURE_MAG_FILTER, linear ? GL_LINEAR : GL_NEAREST);
   if (this->TexelFormat == Format::Depth)
@@ -97,7 +91,7 @@ void vtkShadowTexture::UploadBuffer(
     GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(this->Bytes), texels.data(), GL_STATIC_DRAW);
   glBindBuffer(GL_TEXTURE_BUFFER, 0);
   const bool active = this->Unit >= 0;
-  this->Bind(window);
+  this->Activate(window);
   glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, this->Buffer);
   if (!active)
   {
@@ -109,7 +103,7 @@ void vtkShadowTexture::UploadBuffer(
 void vtkShadowTexture::UploadLayer(vtkOpenGLRenderWindow* window, int layer, const float* values)
 {
   const bool active = this->Unit >= 0;
-  this->Bind(window);
+  this->Activate(window);
   window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   glTexSubImage3D(this->Target, 0, 0, 0, layer, this->Width, this->Height, 1,
     this->TexelFormat == Format::Float1 ? GL_RED : GL_RGBA, GL_FLOAT, values);
@@ -279,6 +273,10 @@ vtkShadowTimers::Scope::Scope(vtkShadowTimers& timers, const char* stage)
   : Timers(timers)
   , Index(timers.Spans.size())
 {
+  if (!GLEW_VERSION_3_3 && !GLEW_ARB_timer_query)
+  {
+    return; // no times then
+  }
   if (timers.Free.size() < 2)
   {
     timers.Free.resize(2);
@@ -293,5 +291,8 @@ vtkShadowTimers::Scope::Scope(vtkShadowTimers& timers, const char* stage)
 //------------------------------------------------------------------------------
 vtkShadowTimers::Scope::~Scope()
 {
-  glQueryCounter(this->Timers.Spans[this->Index].Queries[1], GL_TIMESTAMP);
+  if (this->Index < this->Timers.Spans.size())
+  {
+    glQueryCounter(this->Timers.Spans[this->Index].Queries[1], GL_TIMESTAMP);
+  }
 }

@@ -29,7 +29,6 @@ public:
   enum class Sampling
   {
     Nearest,
-    Linear,
     CompareNearest, // depth <= stored depth, for sampler2DArrayShadow
     CompareLinear
   };
@@ -53,16 +52,17 @@ public:
   void Release(vtkOpenGLRenderWindow* window);
 
   unsigned int GetHandle() const { return this->Handle; }
+  /** Rises whenever the content is lost; the handle may come again. */
+  unsigned long GetGeneration() const { return this->Generation; }
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
   int GetLayers() const { return this->Layers; }
   std::size_t GetBytes() const { return this->Bytes; }
 
 private:
-  void Bind(vtkOpenGLRenderWindow* window);
-
   unsigned int Target = 0;
   unsigned int Handle = 0;
+  unsigned long Generation = 0;
   unsigned int Buffer = 0;
   Format TexelFormat = Format::Depth;
   int Width = 0;

@@ -42,7 +42,9 @@ void vtkShadowPass::Render(const vtkRenderState* s)
   this->NumberOfRenderedProps = 0;
   if (renderer->GetSelector())
   {
-    this->RenderDelegate(s); // selection needs no shadows
+    // Selection needs no shadows, but has not taken the pass off either.
+    my.Drawn = my.Drawn || my.Renderer == renderer;
+    this->RenderDelegate(s);
     return;
   }
   vtkOpenGLClearErrorMacro();
@@ -58,6 +60,15 @@ void vtkShadowPass::Render(const vtkRenderState* s)
   }
 
   my.Props.assign(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
+  if (s->GetFrameBuffer())
+  {
+    s->GetFrameBuffer()->GetLastSize(my.Size); // within another pass, which may have its own size
+  }
+  else
+  {
+    int origin[2];
+    renderer->GetTiledSizeAndOrigin(&my.Size[0], &my.Size[1], &origin[0], &origin[1]);
+  }
   // Headlights and camera lights follow the camera before their shadows do.
   this->UpdateLightGeometry(renderer);
   this->UpdateLights(renderer);
@@ -179,9 +190,7 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
   vtkCamera* camera = renderer->GetActiveCamera();
   frame.LeastRounding =
     my.Casters.GetSize() / 4194304.0 +
-    (camera->GetParallelProjection() ? camera->GetParallelScale() / 65536.0 : 0.0);
-  int origin[2];
-  renderer->GetTiledSizeAndOrigin(&my.Size[0], &my.Size[1], &origin[0], &origin[1]);
+    (camera->GetParallelProjection() ? camera->GetParallelScale() / 524288.0 : 0.0);
   if (my.Size[0] <= 0 || my.Size[1] <= 0)
   {
     return false;
@@ -328,6 +337,7 @@ void vtkShadowPass::Detach()
   }
   my.Renderer = nullptr;
   my.Window = nullptr;
+  my.Props.clear();
 }
 
 //------------------------------------------------------------------------------

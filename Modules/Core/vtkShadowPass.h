@@ -121,7 +121,8 @@ public:
   ///@{
   /**
    * Whether a prop or a light casts shadows, whether a prop receives them. Default: all do. Kept
-   * in the prop's property keys and the light's information: CASTS_SHADOW, RECEIVES_SHADOW.
+   * in the prop's property keys and the light's information: CASTS_SHADOW, RECEIVES_SHADOW. An
+   * assembly's switch holds for all of its parts: VTK lends them its keys.
    */
   static vtkInformationIntegerKey* CASTS_SHADOW();
   static vtkInformationIntegerKey* RECEIVES_SHADOW();
@@ -148,7 +149,8 @@ public:
    * viewport: "Visibility", float, 1 component (3 for a textured light), 1 where nothing is seen;
    * "Receiver", unsigned char, 1 where a surface is seen that is lit and receives, else 0.
    * The light is given by itself or by its place among the renderer's casting lights. A pass that
-   * evaluates forward draws the receivers for it now; a light that casts no shadow gives 1.
+   * evaluates forward draws the receivers for it now, of the scene and camera as they are now; a light
+   * that casts no shadow gives 1.
    * The image is the pass's own and stays until the next call; nullptr, with an error, before the
    * first frame.
    */
@@ -193,7 +195,7 @@ protected:
   /** What a technique does; called with the window current, within a frame. */
 
   /**
-   * Stage 2: bring the light data of frame.Lights up to date; count in frame.Statistics. False where
+   * Stage 2: bring the light data of frame.Lights up to date; count in frame.Counts. False where
    * it cannot be had, after an error that says why: the frame is then drawn without shadows.
    */
   virtual bool UpdateLightData(vtkShadowFrame& frame) = 0;

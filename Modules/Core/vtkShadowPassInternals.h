@@ -44,13 +44,13 @@ public:
   vtkShadowCasters Casters;
   vtkVisibilityBuffer Buffer;
   vtkShadowTimers Timers;
-  std::vector<std::string> LightNotes; // JSON objects: how each light was treated
+  std::vector<std::string> LightNotes; // how each light was treated
   bool Active = false;                 // shadows are drawn in this frame
   bool BufferValid = false;            // the buffer holds the last frame
   bool ScreenSpace = false;
   bool WritesReceivers = false; // what is drawn now fills the receivers' buffer
   int Size[2] = { 0, 0 };
-  std::vector<vtkProp*> Props;  // what survived culling
+  std::vector<vtkSmartPointer<vtkProp>> Props; // what survived culling, until the next frame
   std::vector<vtkProp*> Marked; // these and their parts, while the pass is in their keys
   std::set<vtkShaderProgram*> UpToDatePrograms;
   unsigned int QuadVertexArray = 0;

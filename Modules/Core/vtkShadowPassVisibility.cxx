@@ -1,5 +1,6 @@
 // The screen-space side of vtkShadowPass: receivers, visibility, debug views.
 
+#include "vtkActor.h"
 #include "vtkFloatArray.h"
 #include "vtkOpenGLState.h"
 #include "vtkPointData.h"
@@ -65,6 +66,10 @@ void vtkShadowPass::RenderReceivers()
   this->MarkProps(true);
   for (vtkProp* prop : my.Props)
   {
+    // What is drawn by others' shaders hides what lies behind it, and is no receiver.
+    bool ours = false;
+    vtkShadowPass::ForEachActor(prop, [&ours](vtkActor*, vtkMatrix4x4*) { ours = true; });
+    state->vtkglColorMask(ours, ours, ours, ours);
     prop->RenderOpaqueGeometry(my.Renderer);
   }
   this->MarkProps(false);
@@ -209,13 +214,13 @@ vtkImageData* vtkShadowPass::GetVisibilityOfLayer(int layer)
   {
     vtkOpenGLState* state = my.Window->GetState();
     state->Push();
-    if (!my.Active)
-    {
-      int origin[2];
-      my.Renderer->GetTiledSizeAndOrigin(&my.Size[0], &my.Size[1], &origin[0], &origin[1]);
-    }
+    my.Active = this->PrepareShadows(my.Renderer);
     this->EvaluateVisibility();
     state->Pop();
+  }
+  if (!my.BufferValid)
+  {
+    return nullptr; // EvaluateVisibility has reported why
   }
   const int width = my.Buffer.GetWidth();
   const int height = my.Buffer.GetHeight();

@@ -18,7 +18,7 @@ vtkShadowTechniqueAutoInit(VTKSOFTSHADOWSRAYTRACING_EXPORT, vtkSoftShadowsRayTra
   namespace
 {
   /** What a receiver's position can be wrong, relative to its magnitude: see shadowRounding. */
-  constexpr double PositionError = 1.0 / 65536.0;
+  constexpr double PositionError = 1.0 / 524288.0;
 
   vtkShadowTechnique RayTraced()
   {
@@ -39,9 +39,7 @@ vtkShadowTechniqueAutoInit(VTKSOFTSHADOWSRAYTRACING_EXPORT, vtkSoftShadowsRayTra
       "each a "
       "pixel" };
     t.Limits = { "Noise of the order of 1 / samples^0.75 in penumbrae.",
-      "Translucent surfaces and further samples of a pixel take the visibility of the opaque "
-      "surface "
-      "next to them." };
+      "Translucent surfaces receive no shadow." };
     return t;
   }
 

@@ -2,7 +2,7 @@
  * @class   vtkDepthMapShadowPass
  * @brief   Base of the techniques that look up depth maps: the family's map resource, and its use.
  *
- * (VTK has a class vtkShadowMapPass of its own.) A map is drawn from the casters in one draw call,
+ * (VTK has a class vtkShadowMapPass of its own.) A map is drawn from the casters' own buffers,
  * through frusta that hug them (see vtkLightFrusta). It is read with a bias that has no knob: the
  * receiver is moved along its geometric normal by what its plane can rise within the texels that one
  * look-up reads.

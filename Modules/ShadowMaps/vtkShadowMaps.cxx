@@ -78,6 +78,8 @@ bool vtkShadowMaps::Update(vtkShadowFrame& frame, const Settings& settings)
                    this->Lights.size() != frame.Lights.size();
   this->Current = settings;
   this->CasterVersion = frame.Casters->GetVersion();
+  const bool receiversMoved = frame.Casters->GetReceiverVersion() != this->ReceiverVersion;
+  this->ReceiverVersion = frame.Casters->GetReceiverVersion();
 
   // Views of the lights that changed; the others keep theirs, and their layers if none shifts.
   std::vector<View> views;
@@ -86,17 +88,23 @@ bool vtkShadowMaps::Update(vtkShadowFrame& frame, const Settings& settings)
   for (std::size_t i = 0; i < frame.Lights.size(); ++i)
   {
     LightState state{ frame.Lights[i], static_cast<int>(views.size()), 0, {} };
-    const bool same = !all && this->Lights[i].Light.SameGeometry(state.Light);
-    if (same)
+    bool same = !all && this->Lights[i].Light.SameGeometry(state.Light);
+    const auto old = !all ? this->Views.begin() + this->Lights[i].First : this->Views.end();
+    if (same && !receiversMoved)
     {
-      const auto first = this->Views.begin() + this->Lights[i].First;
-      views.insert(views.end(), first, first + this->Lights[i].Count);
+      views.insert(views.end(), old, old + this->Lights[i].Count);
       state.Casters = this->Lights[i].Casters;
     }
     else
     {
       const auto made = this->MakeViews(frame, static_cast<int>(i), state.Casters);
       views.insert(views.end(), made.begin(), made.end());
+      // Receivers matter only where they change what the frusta hug.
+      same =
+        same && static_cast<int>(made.size()) == this->Lights[i].Count &&
+        state.Casters == this->Lights[i].Casters &&
+        std::equal(made.begin(), made.end(), old,
+          [](const View& a, const View& b) { return a.Frustum.WCToClip == b.Frustum.WCToClip; });
     }
     state.Count = static_cast<int>(views.size()) - state.First;
     changed.push_back(!same || state.First != this->Lights[i].First);
@@ -124,14 +132,14 @@ bool vtkShadowMaps::Update(vtkShadowFrame& frame, const Settings& settings)
   this->BatchSize = static_cast<int>(
     std::clamp<std::size_t>(settings.MemoryLimit / layerBytes, 1, std::min(mostLayers, total)));
   this->Batches = (total + this->BatchSize - 1) / this->BatchSize;
-  const unsigned int before = this->Maps.GetHandle();
+  const unsigned long before = this->Maps.GetGeneration();
   if (!this->Maps.Allocate(frame.Window, vtkShadowTexture::Format::Depth, settings.Resolution,
         settings.Resolution, this->BatchSize))
   {
     this->Release(frame.Window);
     return false;
   }
-  const bool fresh = before != this->Maps.GetHandle();
+  const bool fresh = before != this->Maps.GetGeneration();
   if (all || fresh)
   {
     this->Maps.SetSampling(frame.Window, settings.Bilinear
@@ -158,6 +166,12 @@ bool vtkShadowMaps::Update(vtkShadowFrame& frame, const Settings& settings)
     }
   }
   frame.Counts["mapsHeld"] = this->BatchSize;
+  frame.Counts["mapsReused"] = this->AreResident() ? total - frame.Counts["mapsDrawn"] : 0;
+  for (const auto& light : this->Lights)
+  {
+    frame.Counts["castersLeftOut"] +=
+      static_cast<double>(frame.Casters->Get().size() - light.Casters.size());
+  }
   frame.Counts["mapBatches"] = this->Batches;
   return true;
 }

@@ -82,6 +82,7 @@ private:
 
   Settings Current;
   unsigned long CasterVersion = 0;
+  unsigned long ReceiverVersion = 0;
   std::vector<View> Views;
   std::vector<LightState> Lights;
   int Batches = 0;

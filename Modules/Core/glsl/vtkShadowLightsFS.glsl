@@ -19,7 +19,7 @@ float shadowCost = 0.0;
 // over triangles that may reach far out of the picture. The depth stands for the distance.
 float shadowRounding(vec3 positionVC)
 {
-  return abs(positionVC.z) * (1.0 / 65536.0) + shadowLeastRounding;
+  return abs(positionVC.z) * (1.0 / 524288.0) + shadowLeastRounding;
 }
 
 // The whole light lies behind the receiver's own surface.
