@@ -159,6 +159,8 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
     }
     my.LightNotes.push_back(note);
   }
+  frame.Counts["lights"] = renderer->GetLights()->GetNumberOfItems();
+  frame.Counts["lightsSkipped"] = frame.Counts["lights"] - frame.Lights.size();
   if (frame.Lights.empty())
   {
     return false;

@@ -254,6 +254,7 @@ protected:
     const std::string& fragmentShader, const std::function<void(vtkShaderProgram*)>& setParameters);
   /** Say something once until the technique or a parameter is set again. */
   void WarnOnce(const std::string& message);
+  void ErrorOnce(const std::string& message);
 
   double DefaultLightRadius = 0.0;
 

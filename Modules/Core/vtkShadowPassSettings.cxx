@@ -256,6 +256,15 @@ void vtkShadowPass::WarnOnce(const std::string& message)
 }
 
 //------------------------------------------------------------------------------
+void vtkShadowPass::ErrorOnce(const std::string& message)
+{
+  if (this->Internal->Said.insert(message).second)
+  {
+    vtkErrorMacro(<< this->GetTechnique() << ": " << message);
+  }
+}
+
+//------------------------------------------------------------------------------
 std::string vtkShadowPass::GetDebugViews()
 {
   return "none visibility penumbra cost";

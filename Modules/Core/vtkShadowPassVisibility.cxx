@@ -21,8 +21,8 @@ void vtkShadowPass::EvaluateVisibility()
   if (!my.Buffer.Allocate(my.Window, my.Size[0], my.Size[1],
         std::max<int>(1, static_cast<int>(frame.Lights.size())), frame.Color))
   {
-    vtkErrorMacro(<< this->GetTechnique() << ": no memory for the visibility of " << my.Size[0]
-                  << " x " << my.Size[1] << " pixels; drawn without shadows.");
+    this->ErrorOnce("no memory for the visibility of " + std::to_string(my.Size[0]) + " x " +
+                    std::to_string(my.Size[1]) + " pixels; drawn without shadows.");
     my.Active = false;
     return;
   }

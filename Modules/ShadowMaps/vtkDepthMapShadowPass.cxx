@@ -42,8 +42,8 @@ bool vtkDepthMapShadowPass::UpdateMaps(vtkShadowFrame& frame, int samples, doubl
   }
   if (!this->Maps->Update(frame, settings))
   {
-    vtkErrorMacro(<< this->GetTechnique() << ": no memory for a map of " << settings.Resolution
-                  << " x " << settings.Resolution << "; drawn without shadows.");
+    const std::string side = std::to_string(settings.Resolution);
+    this->ErrorOnce("no memory for a map of " + side + " x " + side + "; drawn without shadows.");
     return false;
   }
   return true;
