@@ -297,6 +297,7 @@ SHADOW_TEST(Control, Picking, Each)
   }
   ShadowTest::Check(found, "the box was not picked");
   stage.Render();
+  ShadowTest::CheckAtMost(stage.Count("mapsDrawn"), 0.0, "maps drawn anew after the pick");
   ShadowTest::Check(Same(stage.GetVisibility(), before), "V after picking differs");
 }
 

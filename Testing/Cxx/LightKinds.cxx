@@ -89,6 +89,36 @@ SHADOW_TEST(LightKinds, PointAmongCasters, Each)
 }
 
 //------------------------------------------------------------------------------
+// VTK's cone opens at the light's centre. What a receiver within it sees of the rest of the light
+// must not depend on it.
+SHADOW_TEST(LightKinds, SpotWithASize, Each)
+{
+  ShadowStage stage;
+  AddRing(stage);
+  const glm::dvec3 place(-2.0, -2.5, 4.0);
+  vtkAreaLight* light = stage.AddLight(LightKind::Rectangle, place, glm::dvec3(0.0));
+  light->SetWidth(3.0);
+  light->SetHeight(3.0);
+  stage.SetPass(technique, Fine);
+  stage.Render();
+  const Visibility open = stage.GetVisibility();
+  const ShadowOracle oracle(stage);
+  std::vector<unsigned char> inside;
+  for (const auto& pixel : oracle.GetPixels())
+  {
+    const glm::dvec3 ray = pixel.Position - place;
+    inside.push_back(
+      pixel.Actor &&
+      glm::dot(ray, -place) > std::cos(glm::radians(29.9)) * glm::length(ray) * glm::length(place));
+  }
+  light->SetConeAngle(30.0);
+  stage.Render();
+  const Difference difference = Compare(stage.GetVisibility(), open, 0.1, inside);
+  ShadowTest::CheckAtLeast(static_cast<double>(difference.Pixels), 5000.0, "pixels in the cone");
+  ShadowTest::CheckAtMost(difference.Share, EdgeShare, "pixels that differ");
+}
+
+//------------------------------------------------------------------------------
 // Within the cone; what lies outside gets no light, with or without a shadow.
 SHADOW_TEST(LightKinds, Spot, Each)
 {
