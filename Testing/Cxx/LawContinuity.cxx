@@ -132,12 +132,18 @@ SHADOW_TEST(Law, SmallSizeTendsToHard, Each)
 }
 
 //------------------------------------------------------------------------------
-// A shadow begins where its caster stands. Maps of 64 texels, seen so closely that a texel is many
-// pixels: of the floor that the oracle says is dark, what is lit must lie within two texels of the
-// shadow's border. A map hugs the box, whose diagonal d it shows from distance D; on the floor at
-// distance F, under an angle of incidence whose cosine is c, a texel covers d / 64 F / D / c.
+// A shadow begins where its caster stands, and ends where it should. Maps of 64 texels, seen so
+// closely that a texel is many pixels: of the floor that the oracle says is dark, what is lit must lie
+// within 1.5 texels of the shadow's border or the box's foot, and what is lit and shown as dark within
+// 1.5 of the border: half a texel is the map's, one at most the bias', which is what a look-up reads.
+//
+// A map hugs the box: seen from the light it is no wider than the largest distance d between two of
+// the box's corners on a plane at distance 1. On the floor at distance w along the light's axis, where
+// the cosine of the angle of incidence is c, a texel covers up to d w / 64 / c. A technique without
+// maps has a thousandth of the box instead.
 SHADOW_TEST(Law, ShadowTouchesItsCaster, Each)
 {
+  const bool maps = ShadowStage::HasParameter(technique, "resolution");
   for (const double lift : { 0.0, 1e-6, 1e-3, 0.02 })
   {
     for (const double height : { 4.0, 1.5 })
@@ -149,7 +155,8 @@ SHADOW_TEST(Law, ShadowTouchesItsCaster, Each)
       vtkActor* floor = stage.AddFloor();
       stage.AddBox(centre, size);
       vtkLight* light = stage.AddLight(LightKind::Point, place, { 0.0, 0.0, 0.0 });
-      stage.LookAt({ 1.6, 0.9, 1.1 }, { 0.55, 0.2, 0.0 }, 30.0);
+      // Close to the foot; from farther the whole shadow is seen.
+      stage.LookAt({ 1.6, 0.9, 1.1 }, { 0.55, 0.2, 0.0 }, lift == 1e-3 ? 70.0 : 30.0);
       stage.SetPass(technique, { { "resolution", "64" } });
       stage.Render();
       const Visibility visibility = stage.GetVisibility();
@@ -158,48 +165,62 @@ SHADOW_TEST(Law, ShadowTouchesItsCaster, Each)
       const auto mask = oracle.GetMask(floor);
       const auto& pixels = oracle.GetPixels();
 
-      double widest = 0.0; // in texels
-      std::size_t dark = 0;
+      const glm::dvec3 axis = glm::normalize(centre - place);
+      std::vector<glm::dvec3> corners;
+      for (int k = 0; k < 8; ++k)
+      {
+        const glm::dvec3 signs(k & 1 ? 0.5 : -0.5, k & 2 ? 0.5 : -0.5, k & 4 ? 0.5 : -0.5);
+        const glm::dvec3 arm = centre + signs * size - place;
+        corners.push_back(arm / glm::dot(arm, axis));
+      }
+      double extent = 0.0;
+      for (int k = 0; k < 64; ++k)
+      {
+        extent = std::max(extent, glm::length(corners[k % 8] - corners[k / 8]));
+      }
+      const auto isFoot = [&](const glm::dvec3& p)
+      {
+        const glm::dvec3 inBox = glm::abs(p - centre) - 0.5 * size;
+        return inBox.x < 0.0 && inBox.y < 0.0;
+      };
+
+      double widest[2] = { 0.0, 0.0 }; // in texels: lit in the dark, dark in the light
+      std::size_t counts[2] = { 0, 0 };
       for (std::size_t i = 0; i < mask.size(); ++i)
       {
-        if (!mask[i] || !visibility.Mask[i] || truth.V[i] > 0.0f)
+        if (!mask[i] || !visibility.Mask[i])
         {
           continue;
         }
-        ++dark;
-        if (visibility.V[i] < 0.5f)
+        const int lit = truth.V[i] > 0.0f ? 1 : 0;
+        ++counts[lit];
+        if ((visibility.V[i] >= 0.5f) == (lit == 1))
         {
           continue;
         }
         const glm::dvec3 ray = place - pixels[i].Position;
-        const double texel = ShadowStage::HasParameter(technique, "resolution")
-                               ? glm::length(size) / 64.0 * glm::length(ray) /
-                                   (glm::length(place - centre) - 0.5 * glm::length(size)) /
-                                   (ray.z / glm::length(ray))
-                               : 1e-3 * glm::length(size);
-        // How far into the shadow: the smallest circle of floor around it that reaches light, or the
-        // box's own foot.
+        const double texel = maps ? extent / 64.0 * -glm::dot(ray, axis) * glm::length(ray) / ray.z
+                                  : 1e-3 * glm::length(size);
+        // The smallest circle of floor around it that reaches the border.
         double depth = 10.0 * texel;
-        for (double r = 0.25 * texel; r < depth; r += 0.25 * texel)
+        for (double r = 0.1 * texel; r < depth; r += 0.1 * texel)
         {
           for (int k = 0; k < 32; ++k)
           {
             SurfacePoint other = pixels[i];
             other.Position += r * glm::dvec3(std::cos(0.19635 * k), std::sin(0.19635 * k), 0.0);
-            const glm::dvec3 inBox = glm::abs(other.Position - centre) - 0.5 * size;
-            const bool foot = inBox.x < 0.0 && inBox.y < 0.0;
-            if (foot || !oracle.IsBlocked(other, place))
-            {
-              depth = r;
-            }
+            const bool blocked = oracle.IsBlocked(other, place);
+            depth = (!lit && isFoot(other.Position)) || blocked == (lit == 1) ? r : depth;
           }
         }
-        widest = std::max(widest, depth / texel);
+        widest[lit] = std::max(widest[lit], depth / texel);
       }
       const std::string what =
         "lifted by " + std::to_string(lift) + ", light at " + std::to_string(height).substr(0, 3);
-      ShadowTest::CheckAtLeast(static_cast<double>(dark), 1000.0, what + ": dark pixels");
-      ShadowTest::CheckAtMost(widest, 2.0, what + ": light in the shadow, texels");
+      ShadowTest::CheckAtLeast(static_cast<double>(counts[0]), 1000.0, what + ": dark pixels");
+      ShadowTest::CheckAtLeast(static_cast<double>(counts[1]), 200.0, what + ": lit pixels");
+      ShadowTest::CheckAtMost(widest[0], 1.5, what + ": light in the shadow, texels");
+      ShadowTest::CheckAtMost(widest[1], 1.5, what + ": shadow in the light, texels");
     }
   }
 }

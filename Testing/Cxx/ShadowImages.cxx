@@ -33,7 +33,7 @@ Difference Compare(
   if (a.V.size() != b.V.size() || a.Width != b.Width || a.V.empty())
   {
     ShadowTest::Check(false, "visibilities of different size, or empty");
-    result.RMSE = result.Maximum = result.Share = result.MaskShare =
+    result.RMSE = result.Bias = result.Maximum = result.Share = result.MaskShare =
       std::numeric_limits<double>::quiet_NaN();
     return result;
   }
@@ -54,7 +54,9 @@ Difference Compare(
     double largest = 0.0;
     for (int c = 0; c < a.Components; ++c)
     {
-      const double d = std::abs(double(a.V[i * a.Components + c]) - b.V[i * a.Components + c]);
+      const double signedDifference = double(a.V[i * a.Components + c]) - b.V[i * a.Components + c];
+      result.Bias += signedDifference / a.Components;
+      const double d = std::abs(signedDifference);
       largest = std::isnan(d) ? 1e9 : std::max(largest, d);
     }
     ++result.Pixels;
@@ -66,6 +68,7 @@ Difference Compare(
   result.MaskShare = static_cast<double>(alone) / static_cast<double>(a.Mask.size());
   // No pixel to compare is no agreement: NaN passes no check.
   result.RMSE = std::sqrt(sum / pixels);
+  result.Bias /= pixels;
   result.Share = static_cast<double>(differing) / pixels;
   return result;
 }

@@ -35,6 +35,7 @@ struct Picture
 struct Difference
 {
   double RMSE = 0.0;
+  double Bias = 0.0; // mean of a - b
   double Maximum = 0.0;
   double Share = 0.0;     // of pixels that differ by more than the threshold
   double MaskShare = 0.0; // of all pixels: receivers in one of both alone
