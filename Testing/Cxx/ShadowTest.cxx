@@ -3,14 +3,17 @@
 #include "vtkLogger.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkOutputWindow.h"
 #include "vtkShadowTechnique.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <cstdlib>
+#include <dlfcn.h>
 #include <iostream>
 #include <map>
+#include <thread>
 
 namespace
 {
@@ -46,6 +49,20 @@ public:
   }
 };
 vtkStandardNewMacro(Collector);
+
+/**
+ * Xvfb resets itself when its last client goes, and refuses the next one meanwhile: VTK then aborts.
+ * So there is one client more, from when the server takes it to the end. Nothing where there is no X.
+ */
+void KeepDisplay()
+{
+  using Open = void* (*)(const char*);
+  const auto open = reinterpret_cast<Open>(dlsym(RTLD_DEFAULT, "XOpenDisplay"));
+  for (int i = 0; open && std::getenv("DISPLAY") && i < 100 && !open(nullptr); ++i)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+}
 
 void Fail(const std::string& text)
 {
@@ -184,14 +201,8 @@ int main(int argc, char* argv[])
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   vtkNew<Collector> collector;
   vtkOutputWindow::SetInstance(collector);
-  {
-    // Xvfb resets itself when its last client goes, and refuses the next one meanwhile: one stays.
-    vtkNew<vtkRenderWindow> client;
-    client->SetOffScreenRendering(1);
-    client->SetSize(8, 8);
-    vtkOpenGLRenderWindow::SafeDownCast(client)->Initialize();
-    found->second(technique);
-  }
+  KeepDisplay();
+  found->second(technique);
   ShadowTest::CheckNoMessage("at the end");
   vtkOutputWindow::SetInstance(nullptr);
   std::cout << (Failures ? "failed" : "passed") << std::endl;
