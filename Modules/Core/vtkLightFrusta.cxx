@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace
@@ -26,12 +27,26 @@ constexpr double WidestHalfAngle = 65.0;
 /** So many flat casters get the exact treatment; more are all drawn whole. */
 constexpr std::size_t MostFlatCasters = 64;
 
+/** A view shows at most so much beyond a border, as a tangent: look-ups further out are drawn in. */
+constexpr double WidestOverlap = 0.6;
+
+double Tangent(double degrees)
+{
+  return std::tan(glm::radians(degrees));
+}
+
 /** An axis-aligned range on a view plane, and along the view axis. */
 struct Range
 {
   glm::dvec3 Low{ std::numeric_limits<double>::max() };
   glm::dvec3 High{ std::numeric_limits<double>::lowest() };
 
+  /** The window of this one reaches over that of another. */
+  bool ReachesOver(const Range& other) const
+  {
+    return this->Low.x < other.Low.x || this->Low.y < other.Low.y ||
+           this->High.x > other.High.x || this->High.y > other.High.y;
+  }
   bool IsEmpty() const
   {
     return this->Low.x > this->High.x || this->Low.y > this->High.y || this->Low.z > this->High.z;
@@ -49,14 +64,14 @@ struct Range
       this->Add(other.High);
     }
   }
-  /** The common window; the depth stays this one's. */
-  Range Window(const Range& other) const
+  /** The common window, the other being that much larger; the depth stays this one's. */
+  Range Window(const Range& other, double overlap) const
   {
     Range result = *this;
-    result.Low.x = std::max(this->Low.x, other.Low.x);
-    result.Low.y = std::max(this->Low.y, other.Low.y);
-    result.High.x = std::min(this->High.x, other.High.x);
-    result.High.y = std::min(this->High.y, other.High.y);
+    result.Low.x = std::max(this->Low.x, other.Low.x - overlap);
+    result.Low.y = std::max(this->Low.y, other.Low.y - overlap);
+    result.High.x = std::min(this->High.x, other.High.x + overlap);
+    result.High.y = std::min(this->High.y, other.High.y + overlap);
     return result;
   }
 };
@@ -91,12 +106,13 @@ void Widen(Range& range, double border)
   }
 }
 
-/** Everything that a box shows of itself in a view, given how its corners project. */
+/** Everything that a box shows of itself in a view, given how its corners project; and its whole. */
 template <typename Project>
 Range RegionRange(const std::vector<glm::dvec3>& box,
-  const std::vector<std::vector<glm::dvec3>>& others, Project project)
+  const std::vector<std::vector<glm::dvec3>>& others, double overlap, Project project, Range& whole)
 {
   const Range own = project(box);
+  whole.Add(own);
   if (others.empty() || own.IsEmpty())
   {
     return own;
@@ -107,7 +123,7 @@ Range RegionRange(const std::vector<glm::dvec3>& box,
     const Range window = project(other);
     if (!window.IsEmpty())
     {
-      shared.Add(own.Window(window));
+      shared.Add(own.Window(window, overlap));
     }
   }
   return shared;
@@ -116,9 +132,10 @@ Range RegionRange(const std::vector<glm::dvec3>& box,
 
 //------------------------------------------------------------------------------
 vtkLightFrusta::vtkLightFrusta(
-  const vtkShadowLight& light, const vtkShadowCasters& casters, double border)
+  const vtkShadowLight& light, const vtkShadowCasters& casters, double border, bool neighbours)
   : Light(light)
   , Border(border)
+  , Neighbours(neighbours && !light.IsPoint())
   , Origin(casters.GetOrigin())
 {
   const auto& all = casters.Get();
@@ -193,13 +210,51 @@ vtkLightFrusta::vtkLightFrusta(
     this->Included.push_back(static_cast<int>(i));
     this->Regions.push_back(std::move(region));
   }
+
+  // Bodies, or flat things where there are no others: a floor is not what casts.
+  std::vector<int> bodies;
+  std::copy_if(this->Included.begin(), this->Included.end(), std::back_inserter(bodies),
+    [&all](int i) { return !all[i].Mesh->Flat; });
+  bodies = bodies.empty() ? this->Included : bodies;
+  glm::dvec3 middle(0.0);
+  for (const int i : bodies)
+  {
+    middle += all[i].GetMiddle() / static_cast<double>(bodies.size());
+  }
+  for (const int i : bodies)
+  {
+    this->Extent = std::max(
+      this->Extent, 2.0 * (glm::length(all[i].GetMiddle() - middle) + all[i].GetRadius()));
+  }
 }
 
 //------------------------------------------------------------------------------
-bool vtkLightFrusta::IsLimited() const
+double vtkLightFrusta::GetExtent() const
 {
-  return std::any_of(this->Regions.begin(), this->Regions.end(),
-    [](const Region& region) { return !region.Others.empty(); });
+  return this->Extent;
+}
+
+//------------------------------------------------------------------------------
+double vtkLightFrusta::GetOverlap(const glm::dvec3& position, double widest) const
+{
+  if (!this->Neighbours)
+  {
+    return 0.0;
+  }
+  const double size = glm::length(this->Light.U) + glm::length(this->Light.V);
+  if (this->Light.IsDirectional())
+  {
+    return size * this->GetExtent();
+  }
+  double nearest = std::numeric_limits<double>::max();
+  for (const auto& region : this->Regions)
+  {
+    // Of the sphere around the box; negative where the light may be in it.
+    const glm::dvec3 middle = 0.5 * (region.Box.front() + region.Box.back());
+    const double radius = 0.5 * glm::length(region.Box.back() - region.Box.front());
+    nearest = std::min(nearest, glm::length(middle - position) - radius);
+  }
+  return nearest * widest > size ? size / nearest : widest;
 }
 
 //------------------------------------------------------------------------------
@@ -217,10 +272,12 @@ std::vector<vtkLightView> vtkLightFrusta::GetViews(const glm::dvec3& place) cons
 std::vector<vtkLightView> vtkLightFrusta::GetDirectionalViews(const glm::dvec3& towardsLight) const
 {
   const Frame frame(-towardsLight);
+  const double overlap = this->GetOverlap(glm::dvec3(0.0), 0.0);
   Range range;
+  Range whole;
   for (const auto& region : this->Regions)
   {
-    range.Add(RegionRange(region.Box, region.Others,
+    range.Add(RegionRange(region.Box, region.Others, overlap,
       [&](const Corners& box)
       {
         Range own;
@@ -229,12 +286,14 @@ std::vector<vtkLightView> vtkLightFrusta::GetDirectionalViews(const glm::dvec3& 
           own.Add(frame(corner));
         }
         return own;
-      }));
+      },
+      whole));
   }
   if (range.IsEmpty())
   {
     return {};
   }
+  const bool clipped = whole.ReachesOver(range);
   Widen(range, this->Border);
   const double depthMargin = 1e-3 * glm::length(range.High - range.Low);
   range.Low.z -= depthMargin;
@@ -251,10 +310,12 @@ std::vector<vtkLightView> vtkLightFrusta::GetDirectionalViews(const glm::dvec3& 
   }
   rows[3] = glm::dvec4(0.0, 0.0, 0.0, 1.0);
   view.WCToClip = glm::transpose(rows);
-  view.Clipped = this->IsLimited();
+  view.Clipped = clipped;
   view.Place = towardsLight;
   view.WindowX = frame.X * size.x;
   view.WindowY = frame.Y * size.y;
+  view.DepthScale = 1.0 / size.z;
+  view.DepthRange = size.z;
   return { view };
 }
 
@@ -263,10 +324,14 @@ std::vector<vtkLightView> vtkLightFrusta::GetPositionalViews(const glm::dvec3& p
 {
   std::vector<vtkLightView> views;
   // VTK has one cone, at the centre: another place on the light has to see beyond its own.
-  if (this->Light.ConeAngle <= WidestHalfAngle && position == this->Light.Position - this->Origin)
+  // So do look-ups around the centre: as far as the light's size carries them, or all the way.
+  const double overlap = this->GetOverlap(position, Tangent(WidestHalfAngle));
+  if (position == this->Light.Position - this->Origin &&
+      this->Light.ConeAngle <= WidestHalfAngle &&
+      Tangent(this->Light.ConeAngle) + overlap <= Tangent(WidestHalfAngle))
   {
     this->AddPerspectiveView(
-      position, this->Light.Direction, std::tan(glm::radians(this->Light.ConeAngle)), views);
+      position, this->Light.Direction, Tangent(this->Light.ConeAngle), overlap, false, views);
     return views;
   }
 
@@ -296,7 +361,7 @@ std::vector<vtkLightView> vtkLightFrusta::GetPositionalViews(const glm::dvec3& p
   if (fits)
   {
     this->AddPerspectiveView(
-      position, mean / length, std::tan(glm::radians(WidestHalfAngle)) * 1.01, views);
+      position, mean / length, Tangent(WidestHalfAngle) * 1.01, overlap, false, views);
     return views;
   }
 
@@ -304,16 +369,18 @@ std::vector<vtkLightView> vtkLightFrusta::GetPositionalViews(const glm::dvec3& p
   {
     glm::dvec3 axis(0.0);
     axis[face / 2] = face % 2 ? -1.0 : 1.0;
-    this->AddPerspectiveView(position, axis, 1.0, views);
+    this->AddPerspectiveView(
+      position, axis, 1.0, this->GetOverlap(position, WidestOverlap), true, views);
   }
   return views;
 }
 
 //------------------------------------------------------------------------------
 bool vtkLightFrusta::AddPerspectiveView(const glm::dvec3& position, const glm::dvec3& axis,
-  double limit, std::vector<vtkLightView>& views) const
+  double border, double overlap, bool face, std::vector<vtkLightView>& views) const
 {
   const Frame frame(axis);
+  const double limit = border + overlap;
   // A box in x/z, y/z and z, clipped to |x/z|, |y/z| <= limit; the whole window where the box
   // reaches behind the light.
   const auto project = [&](const Corners& box)
@@ -352,18 +419,20 @@ bool vtkLightFrusta::AddPerspectiveView(const glm::dvec3& position, const glm::d
     return range;
   };
   Range range;
+  Range whole;
   for (const auto& region : this->Regions)
   {
-    range.Add(RegionRange(region.Box, region.Others, project));
+    range.Add(RegionRange(region.Box, region.Others, overlap, project, whole));
   }
   if (range.IsEmpty())
   {
     return false;
   }
-  const bool clipped =
+  const bool cut =
     std::max({ -range.Low.x, -range.Low.y, range.High.x, range.High.y }) >= limit;
+  const bool clipped = cut || whole.ReachesOver(range);
   Widen(range, this->Border);
-  if (limit == 1.0)
+  if (face && !this->Neighbours)
   {
     // Faces of a cube do not overlap, or a point on their common edge would be counted twice.
     range.Low = glm::max(range.Low, glm::dvec3(-1.0, -1.0, 0.0));
@@ -383,10 +452,14 @@ bool vtkLightFrusta::AddPerspectiveView(const glm::dvec3& position, const glm::d
   rows[3] = row(frame.Z, 0.0);
   vtkLightView view;
   view.WCToClip = glm::transpose(rows);
-  view.Clipped = clipped || this->IsLimited();
+  view.Clipped = clipped;
   view.Place = position;
+  view.Cut = cut;
+  view.Face = face;
   view.WindowX = frame.X * size.x;
   view.WindowY = frame.Y * size.y;
+  view.DepthScale = zFar * zNear / (zFar - zNear);
+  view.DepthRange = zFar - zNear;
   views.push_back(view);
   return true;
 }

@@ -29,11 +29,22 @@ struct vtkLightView
   glm::dmat4 WCToClip{ 1.0 };
   /** Casters reach over its border: other faces go on there, a cone ends, or nothing is behind. */
   bool Clipped = false;
+  /** It ends at the cone, or at what a cube's face shows, where casters go on that matter. */
+  bool Cut = false;
+  /** One of the faces of a cube, which holds what lies within 45 degrees of its axis both ways. */
+  bool Face = false;
   /** Where it looks from, in WC; for a directional light, the direction towards the light. */
   glm::dvec3 Place{ 0.0 };
   /** The view plane's axes as unit vectors in WC, times the window's size at w = 1. */
   glm::dvec3 WindowX{ 0.0 };
   glm::dvec3 WindowY{ 0.0 };
+  /**
+   * Depth in [0,1] is a constant minus this over w, or, for a directional light, plus this times the
+   * distance along the axis.
+   */
+  double DepthScale = 0.0;
+  /** Depth of what the view holds, along its axis, in world units. */
+  double DepthRange = 0.0;
 };
 
 class VTKSOFTSHADOWSCORE_EXPORT vtkLightFrusta
@@ -42,11 +53,20 @@ public:
   /**
    * Find which casters count for a light, whichever of its points is looked from.
    * The frusta's borders stay `border` (a fraction of the window) clear of casters.
+   * `neighbours`: views are for look-ups all around a point, as far as the light's size can carry
+   * them. Where casters reach over a border, the view then shows some way beyond it.
    */
-  vtkLightFrusta(const vtkShadowLight& light, const vtkShadowCasters& casters, double border);
+  vtkLightFrusta(const vtkShadowLight& light, const vtkShadowCasters& casters, double border,
+    bool neighbours = false);
 
   /** Indices of the casters that can shadow something. Empty: nothing to draw for this light. */
   const std::vector<int>& GetCasters() const { return this->Included; }
+
+  /**
+   * Diameter of a sphere around those that are not flat, or around all, in world units; it does not
+   * depend on how they are turned.
+   */
+  double GetExtent() const;
 
   /** Views from one place on the light (see vtkLightSample), in WC: none, one, or up to six. */
   std::vector<vtkLightView> GetViews(const glm::dvec3& place) const;
@@ -60,15 +80,17 @@ private:
     std::vector<Corners> Others;
   };
 
-  /** Some caster is hugged only in part. */
-  bool IsLimited() const;
+  /** How far a view shows beyond a border, in the units of its window; a tangent at most. */
+  double GetOverlap(const glm::dvec3& position, double widest) const;
   std::vector<vtkLightView> GetDirectionalViews(const glm::dvec3& towardsLight) const;
   std::vector<vtkLightView> GetPositionalViews(const glm::dvec3& position) const;
   bool AddPerspectiveView(const glm::dvec3& position, const glm::dvec3& axis, double limit,
-    std::vector<vtkLightView>& views) const;
+    double overlap, bool face, std::vector<vtkLightView>& views) const;
 
   vtkShadowLight Light;
   double Border;
+  bool Neighbours;
+  double Extent = 0.0;
   glm::dvec3 Origin{ 0.0 }; // of WC
   std::vector<int> Included;
   std::vector<Region> Regions;

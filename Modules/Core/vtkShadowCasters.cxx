@@ -116,6 +116,20 @@ public:
 };
 
 //------------------------------------------------------------------------------
+glm::dvec3 vtkShadowCaster::GetMiddle() const
+{
+  return { this->MeshToWC * glm::dvec4(this->Mesh->Middle, 1.0) };
+}
+
+//------------------------------------------------------------------------------
+double vtkShadowCaster::GetRadius() const
+{
+  const glm::dmat3 axes(this->MeshToWC);
+  return this->Mesh->Radius *
+         std::max({ glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]) });
+}
+
+//------------------------------------------------------------------------------
 vtkShadowCasters::vtkShadowCasters() = default;
 
 //------------------------------------------------------------------------------
@@ -299,16 +313,26 @@ void vtkShadowCasters::Upload(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowCasters::Draw(
-  vtkOpenGLRenderWindow* window, const glm::dmat4& WCToClip, const std::vector<int>& casters)
+void vtkShadowCasters::Draw(vtkOpenGLRenderWindow* window, const glm::dmat4& WCToClip,
+  const std::vector<int>& casters, const char* fragmentShader,
+  const std::function<void(vtkShaderProgram*)>& setParameters)
 {
   this->Upload(window);
   Buffers& gpu = *this->GPU;
   vtkShaderProgram* program =
-    window->GetShaderCache()->ReadyShaderProgram(vtkShadowCasterVS, vtkShadowCasterFS, "");
+    window->GetShaderCache()->ReadyShaderProgram(
+      vtkShadowCasterVS, fragmentShader ? fragmentShader : vtkShadowCasterFS, "");
   if (!program)
   {
     return; // the shader cache has reported why
+  }
+  if (setParameters)
+  {
+    setParameters(program);
+  }
+  if (program != gpu.Program)
+  {
+    gpu.VertexArray->ShaderProgramChanged(); // it is bound to the attributes of one
   }
   gpu.VertexArray->Bind();
   if (program != gpu.Program)

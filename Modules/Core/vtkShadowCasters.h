@@ -20,21 +20,28 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
 class vtkProp;
 class vtkRenderer;
+class vtkShaderProgram;
 
 /** A mesh in its place. */
-struct vtkShadowCaster
+struct VTKSOFTSHADOWSCORE_EXPORT vtkShadowCaster
 {
   std::shared_ptr<const vtkShadowMesh> Mesh;
   vtkProp* Prop = nullptr; // whose it is; not to be used beyond the frame
   glm::dmat4 MeshToWC{ 1.0 };
   /** Corners of the mesh's box in WC. */
   std::array<glm::dvec3, 8> Corners;
+
+  ///@{ A sphere around it, in WC.
+  glm::dvec3 GetMiddle() const;
+  double GetRadius() const;
+  ///@}
 };
 
 class VTKSOFTSHADOWSCORE_EXPORT vtkShadowCasters
@@ -73,11 +80,12 @@ public:
   std::size_t GetNumberOfTrianglesNotFinite() const;
 
   /**
-   * Draw casters (indices into Get()) with a program whose vertex shader is
-   * vtkShadowCasterVS.glsl, ready to be drawn into the bound framebuffer. WCToClip is set on it.
+   * Draw casters (indices into Get()) into the bound framebuffer: their depth, or by a fragment
+   * shader and what sets its uniforms.
    */
-  void Draw(
-    vtkOpenGLRenderWindow* window, const glm::dmat4& WCToClip, const std::vector<int>& casters);
+  void Draw(vtkOpenGLRenderWindow* window, const glm::dmat4& WCToClip,
+    const std::vector<int>& casters, const char* fragmentShader = nullptr,
+    const std::function<void(vtkShaderProgram*)>& setParameters = {});
 
   /** Bytes held on the GPU. */
   std::size_t GetGPUBytes() const;

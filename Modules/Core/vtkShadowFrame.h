@@ -14,6 +14,7 @@
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
 class vtkShadowCasters;
+class vtkShadowQuad;
 class vtkShadowTimers;
 
 struct VTKSOFTSHADOWSCORE_EXPORT vtkShadowFrame
@@ -22,12 +23,15 @@ struct VTKSOFTSHADOWSCORE_EXPORT vtkShadowFrame
   vtkOpenGLRenderWindow* Window = nullptr;
   vtkShadowCasters* Casters = nullptr;
   vtkShadowTimers* Timers = nullptr;
+  vtkShadowQuad* Quad = nullptr;
   /** The casting lights that this technique can treat. */
   std::vector<vtkShadowLight> Lights;
   /** Any of the lights is textured: visibility is then a colour. */
   bool Color = false;
   /** All lights count as their centres: the technique is hard, or they have no size. */
   bool Hard = false;
+  /** The viewport's width and height in pixels. */
+  int Size[2] = { 0, 0 };
   /** View coordinates to WC (world axes, origin at Casters->GetOrigin()). */
   glm::dmat4 VCToWC{ 1.0 };
   glm::dmat4 GetWCToVC() const;

@@ -1,7 +1,10 @@
 #include "vtkShadowGL.h"
 
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkShadowQuadVS.h"
 #include "vtkTextureUnitManager.h"
 #include "vtk_glew.h"
 
@@ -9,10 +12,10 @@
 
 //------------------------------------------------------------------------------
 bool vtkShadowTexture::Allocate(
-  vtkOpenGLRenderWindow* window, Format format, int width, int height, int layers)
+  vtkOpenGLRenderWindow* window, Format format, int width, int height, int layers, int levels)
 {
   if (this->Handle && this->TexelFormat == format && this->Width == width &&
-      this->Height == height && this->Layers == layers)
+      this->Height == height && this->Layers == layers && this->Levels == levels)
   {
     return true;
   }
@@ -22,6 +25,7 @@ bool vtkShadowTexture::Allocate(
   this->Width = width;
   this->Height = height;
   this->Layers = layers;
+  this->Levels = levels;
   ++this->Generation;
   glGenTextures(1, &this->Handle);
   this->Activate(window);
@@ -32,21 +36,27 @@ bool vtkShadowTexture::Allocate(
     std::size_t Size;
   };
   static constexpr Layout layouts[] = { { GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, 4 },
-    { GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, 4 }, { GL_R32F, GL_RED, 4 },
+    { GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, 4 }, { GL_R32F, GL_RED, 4 }, { GL_RG32F, GL_RG, 8 },
     { GL_RGBA32F, GL_RGBA, 16 } };
   const Layout& layout = layouts[static_cast<int>(format)];
   while (glGetError() != GL_NO_ERROR)
   {
   }
-  glTexImage3D(
-    this->Target, 0, layout.Internal, width, height, layers, 0, layout.External, GL_FLOAT, nullptr);
+  this->Bytes = 0;
+  for (int level = 0; level < levels; ++level)
+  {
+    const int levelWidth = std::max(1, width >> level);
+    const int levelHeight = std::max(1, height >> level);
+    glTexImage3D(this->Target, level, layout.Internal, levelWidth, levelHeight, layers, 0,
+      layout.External, GL_FLOAT, nullptr);
+    this->Bytes += layout.Size * levelWidth * levelHeight * layers;
+  }
   const bool made = glGetError() == GL_NO_ERROR;
-  glTexParameteri(this->Target, GL_TEXTURE_MAX_LEVEL, 0);
+  glTexParameteri(this->Target, GL_TEXTURE_MAX_LEVEL, levels - 1);
   glTexParameteri(this->Target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTexParameteri(this->Target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   this->SetSampling(window, Sampling::Nearest);
   this->Deactivate(window);
-  this->Bytes = layout.Size * width * height * layers;
   if (!made)
   {
     this->Release(window);
@@ -61,7 +71,8 @@ void vtkShadowTexture::SetSampling(vtkOpenGLRenderWindow* window, Sampling sampl
   this->Activate(window);
   const bool linear = sampling == Sampling::CompareLinear;
   const bool compare = linear || sampling == Sampling::CompareNearest;
-  glTexParameteri(this->Target, GL_TEXTURE_MIN_FILTER, linear ? GL_LINEAR : GL_NEAREST);
+  const GLint nearest = this->Levels > 1 ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST;
+  glTexParameteri(this->Target, GL_TEXTURE_MIN_FILTER, linear ? GL_LINEAR : nearest);
   glTexParameteri(this->Target, GL_TEXTURE_MAG_FILTER, linear ? GL_LINEAR : GL_NEAREST);
   if (this->TexelFormat == Format::Depth)
   {
@@ -150,8 +161,85 @@ void vtkShadowTexture::Release(vtkOpenGLRenderWindow* window)
     glDeleteBuffers(1, &this->Buffer);
     this->Buffer = 0;
   }
-  this->Width = this->Height = this->Layers = 0;
+  this->Width = this->Height = this->Layers = this->Levels = 0;
   this->Bytes = 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowSampler::Activate(vtkOpenGLRenderWindow* window, const vtkShadowTexture& texture,
+  vtkShadowTexture::Sampling sampling)
+{
+  if (this->Unit < 0)
+  {
+    this->Unit = window->GetTextureUnitManager()->Allocate();
+  }
+  if (!this->Handle)
+  {
+    glGenSamplers(1, &this->Handle);
+    glSamplerParameteri(this->Handle, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glSamplerParameteri(this->Handle, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  }
+  using Sampling = vtkShadowTexture::Sampling;
+  const GLint filter = sampling == Sampling::CompareLinear ? GL_LINEAR : GL_NEAREST;
+  glSamplerParameteri(this->Handle, GL_TEXTURE_MIN_FILTER, filter);
+  glSamplerParameteri(this->Handle, GL_TEXTURE_MAG_FILTER, filter);
+  glSamplerParameteri(this->Handle, GL_TEXTURE_COMPARE_MODE,
+    sampling == Sampling::Nearest ? GL_NONE : GL_COMPARE_REF_TO_TEXTURE);
+  glSamplerParameteri(this->Handle, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+  window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + this->Unit);
+  glBindTexture(GL_TEXTURE_2D_ARRAY, texture.GetHandle());
+  glBindSampler(this->Unit, this->Handle);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowSampler::Deactivate(vtkOpenGLRenderWindow* window)
+{
+  if (this->Unit >= 0)
+  {
+    window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + this->Unit);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
+    glBindSampler(this->Unit, 0);
+    window->GetTextureUnitManager()->Free(this->Unit);
+    this->Unit = -1;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowSampler::Release(vtkOpenGLRenderWindow* window)
+{
+  this->Deactivate(window);
+  if (this->Handle)
+  {
+    glDeleteSamplers(1, &this->Handle);
+    this->Handle = 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowQuad::Draw(vtkOpenGLRenderWindow* window, const std::string& fragmentShader,
+  const std::function<void(vtkShaderProgram*)>& setParameters)
+{
+  vtkShaderProgram* program =
+    window->GetShaderCache()->ReadyShaderProgram(vtkShadowQuadVS, fragmentShader.c_str(), "");
+  if (!program)
+  {
+    return; // the shader cache has reported why
+  }
+  setParameters(program);
+  if (!this->VertexArray)
+  {
+    glGenVertexArrays(1, &this->VertexArray);
+  }
+  glBindVertexArray(this->VertexArray);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glBindVertexArray(0);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowQuad::Release()
+{
+  glDeleteVertexArrays(1, &this->VertexArray); // 0 is no error
+  this->VertexArray = 0;
 }
 
 //------------------------------------------------------------------------------
@@ -176,19 +264,17 @@ vtkShadowFramebuffer::Scope::Scope(vtkOpenGLRenderWindow* window, vtkShadowFrame
   const GLenum buffer = color ? GL_COLOR_ATTACHMENT0 : GL_NONE;
   state->vtkglDrawBuffer(buffer);
   state->vtkglReadBuffer(buffer);
-  const vtkShadowTexture* texture = color ? color : depth;
-  state->vtkglViewport(0, 0, texture->GetWidth(), texture->GetHeight());
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglDisable(GL_BLEND);
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowFramebuffer::Scope::SetLayer(int layer)
+void vtkShadowFramebuffer::Scope::SetLayer(int layer, int level)
 {
   if (this->Color)
   {
     glFramebufferTextureLayer(
-      GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, this->Color->GetHandle(), 0, layer);
+      GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, this->Color->GetHandle(), level, layer);
   }
   else
   {
@@ -204,6 +290,9 @@ void vtkShadowFramebuffer::Scope::SetLayer(int layer)
   {
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, 0, 0);
   }
+  const vtkShadowTexture* texture = this->Color ? this->Color : this->Depth;
+  this->Window->GetState()->vtkglViewport(
+    0, 0, std::max(1, texture->GetWidth() >> level), std::max(1, texture->GetHeight() >> level));
 }
 
 //------------------------------------------------------------------------------

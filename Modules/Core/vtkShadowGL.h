@@ -1,5 +1,5 @@
-// What the passes need of OpenGL beyond VTK 9.1's classes: array and buffer textures, layered
-// framebuffers, and timers. All keep VTK's state cache right.
+// What the passes need of OpenGL beyond VTK 9.1's classes: array and buffer textures, samplers,
+// layered framebuffers, quads, and timers. All keep VTK's state cache right.
 
 #ifndef vtkShadowGL_h
 #define vtkShadowGL_h
@@ -9,11 +9,13 @@
 #include <glm/vec4.hpp>
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
 
 /** A 2D array texture, or a buffer texture of four floats a texel. */
 class VTKSOFTSHADOWSCORE_EXPORT vtkShadowTexture
@@ -24,6 +26,7 @@ public:
     Depth,   // 32-bit float
     Depth24, // as windows have it
     Float1,  // 32-bit float each
+    Float2,
     Float4
   };
   enum class Sampling
@@ -37,8 +40,12 @@ public:
   vtkShadowTexture(const vtkShadowTexture&) = delete;
   void operator=(const vtkShadowTexture&) = delete;
 
-  /** Make it this size, if it is not; the content is then undefined. False when out of memory. */
-  bool Allocate(vtkOpenGLRenderWindow* window, Format format, int width, int height, int layers);
+  /**
+   * Make it this size, if it is not; the content is then undefined. Each of further levels is half
+   * as wide and high as the one before. False when out of memory.
+   */
+  bool Allocate(vtkOpenGLRenderWindow* window, Format format, int width, int height, int layers,
+    int levels = 1);
   void SetSampling(vtkOpenGLRenderWindow* window, Sampling sampling);
   void UploadBuffer(vtkOpenGLRenderWindow* window, const std::vector<glm::vec4>& texels);
   /** Replace one layer by width x height x components floats, bottom row first. */
@@ -57,6 +64,7 @@ public:
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
   int GetLayers() const { return this->Layers; }
+  int GetLevels() const { return this->Levels; }
   std::size_t GetBytes() const { return this->Bytes; }
 
 private:
@@ -68,8 +76,47 @@ private:
   int Width = 0;
   int Height = 0;
   int Layers = 0;
+  int Levels = 0;
   int Unit = -1;
   std::size_t Bytes = 0;
+};
+
+/**
+ * A second look at a texture that is sampled in another way: a texture unit and a sampler object.
+ */
+class VTKSOFTSHADOWSCORE_EXPORT vtkShadowSampler
+{
+public:
+  vtkShadowSampler() = default;
+  vtkShadowSampler(const vtkShadowSampler&) = delete;
+  void operator=(const vtkShadowSampler&) = delete;
+
+  /** Bind, until Deactivate. Both may be called twice. */
+  void Activate(vtkOpenGLRenderWindow* window, const vtkShadowTexture& texture,
+    vtkShadowTexture::Sampling sampling);
+  void Deactivate(vtkOpenGLRenderWindow* window);
+  int GetUnit() const { return this->Unit; }
+  void Release(vtkOpenGLRenderWindow* window);
+
+private:
+  unsigned int Handle = 0;
+  int Unit = -1;
+};
+
+/** Draws fragment shaders over the viewport that is set. */
+class VTKSOFTSHADOWSCORE_EXPORT vtkShadowQuad
+{
+public:
+  vtkShadowQuad() = default;
+  vtkShadowQuad(const vtkShadowQuad&) = delete;
+  void operator=(const vtkShadowQuad&) = delete;
+
+  void Draw(vtkOpenGLRenderWindow* window, const std::string& fragmentShader,
+    const std::function<void(vtkShaderProgram*)>& setParameters);
+  void Release();
+
+private:
+  unsigned int VertexArray = 0;
 };
 
 /**
@@ -92,8 +139,8 @@ public:
     Scope(const Scope&) = delete;
     void operator=(const Scope&) = delete;
 
-    /** Go on with another layer of the same textures. */
-    void SetLayer(int layer);
+    /** Go on with another layer, or level, of the same textures. */
+    void SetLayer(int layer, int level = 0);
 
   private:
     vtkOpenGLRenderWindow* Window;

@@ -189,6 +189,18 @@ void vtkShadowPass::Internals::SetLights(vtkShaderProgram* program)
 }
 
 //------------------------------------------------------------------------------
+std::string vtkShadowPass::GetLightsGLSL()
+{
+  return this->Internal->GetPreamble() + vtkShadowLightsFS;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::SetLightParameters(vtkShaderProgram* program)
+{
+  this->Internal->SetLights(program);
+}
+
+//------------------------------------------------------------------------------
 bool vtkShadowPass::PreReplaceShaderValues(
   std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
@@ -218,6 +230,7 @@ void vtkShadowPass::UpdateInjection(bool writesReceivers)
   {
     const bool forward = code.Shading && !my.ScreenSpace;
     code.Declarations = my.GetPreamble() + (code.Receivers ? "#define SHADOW_RECEIVERS\n" : "") +
+                        "#define SHADOW_INJECTED\n" +
                         (code.Shading && my.ScreenSpace ? "#define SHADOW_BUFFER\n" : "") +
                         (forward ? "#define SHADOW_FORWARD\n" : "") + vtkShadowLightsFS +
                         (forward ? this->GetVisibilityGLSL() : "") + vtkShadowInjectFS;
@@ -278,11 +291,11 @@ bool vtkShadowPass::SetShaderParameters(
   const bool mirrors = glm::determinant(glm::dmat3(my.Frame.VCToWC)) < 0.0;
   program->SetUniformf("shadowUnit", static_cast<float>((mirrors ? -500.0 : 500.0) / height));
   my.SetLights(program);
+  int viewport[4];
+  my.Window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  program->SetUniform2i("shadowOrigin", viewport);
   if (my.ScreenSpace)
   {
-    int viewport[4];
-    my.Window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
-    program->SetUniform2i("shadowOrigin", viewport);
     // Set while receivers are written too, or they would share a unit with the prop's own textures.
     // The receivers themselves cannot be bound then.
     auto& receivers = my.WritesReceivers ? my.Buffer.GetTarget() : my.Buffer.GetReceivers();

@@ -166,6 +166,17 @@ std::shared_ptr<const vtkShadowMesh> vtkShadowMesh::Make(vtkPolyData* source)
     }
     mesh->Indices.push_back(number[id]);
   }
+  const auto& positions = mesh->Positions;
+  for (std::size_t i = 0; i < positions.size(); i += 3)
+  {
+    mesh->Middle += glm::dvec3(positions[i], positions[i + 1], positions[i + 2]);
+  }
+  mesh->Middle /= static_cast<double>(positions.size() / 3);
+  for (std::size_t i = 0; i < positions.size(); i += 3)
+  {
+    const glm::dvec3 p(positions[i], positions[i + 1], positions[i + 2]);
+    mesh->Radius = std::max(mesh->Radius, glm::length(p - mesh->Middle));
+  }
   mesh->Positions.push_back(0.0f);
   mesh->Positions.shrink_to_fit();
   FindPlane(*mesh);

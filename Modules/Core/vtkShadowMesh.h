@@ -25,6 +25,8 @@ struct VTKSOFTSHADOWSCORE_EXPORT vtkShadowMesh
   std::vector<std::uint32_t> Indices; // three a triangle
   glm::dvec3 Minimum{ 0.0 };          // bounds, relative to Centre
   glm::dvec3 Maximum{ 0.0 };
+  glm::dvec3 Middle{ 0.0 };     // mean of the vertices, relative to Centre
+  double Radius = 0.0;          // of the sphere around Middle that holds them
   bool Flat = false;            // all vertices lie in one plane:
   glm::dvec3 Normal{ 0.0 };     // its unit normal
   glm::dvec3 PlanePoint{ 0.0 }; // one of its points

@@ -117,6 +117,9 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
   frame.Window = my.Window;
   frame.Casters = &my.Casters;
   frame.Timers = &my.Timers;
+  frame.Quad = &my.Quad;
+  frame.Size[0] = my.Size[0];
+  frame.Size[1] = my.Size[1];
   frame.Lights.clear();
   frame.Counts.clear();
   my.LightNotes.clear();
@@ -373,8 +376,7 @@ void vtkShadowPass::ReleaseGraphicsResources(vtkWindow* window)
     my.Timers.Release();
     my.Casters.ReleaseGraphicsResources(glWindow);
     my.Buffer.Release(glWindow);
-    glDeleteVertexArrays(1, &my.QuadVertexArray); // 0 is no error
-    my.QuadVertexArray = 0;
+    my.Quad.Release();
     this->ReleaseLightData(glWindow);
     my.BufferValid = false;
     my.Active = false;

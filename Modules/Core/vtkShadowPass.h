@@ -215,13 +215,18 @@ protected:
   /** Set what the GLSL needs, on each program that has it. */
   virtual void SetVisibilityParameters(vtkShaderProgram*) {}
   /**
-   * Stage 3: fill the buffer's layer of each of frame.Lights. By default from the GLSL. The cost
-   * layer is filled too where buffer.WantsCost().
+   * Stage 3: fill the layer of each of frame.Lights in the buffer's target: the visibility, or the
+   * quantity that a debug view wants. By default from the GLSL.
    */
   virtual void FillVisibility(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer);
   /** What "cost" shows as white: the most samples that a pixel can take. */
   virtual double GetMaximumCost() { return 1.0; }
-  /** A debug view of the technique's own, drawn over the viewport that is set. */
+  /**
+   * The variable of the GLSL that a debug view shows as grey, its largest value white; empty for a
+   * view that shows something else. The white is told by GetStatistics(): "debugViewWhite".
+   */
+  virtual std::string GetDebugQuantity(const std::string& view);
+  /** A debug view of another kind, drawn over the viewport that is set. */
   virtual void DrawDebugView(vtkShadowFrame&, const std::string&) {}
   /** Free the light data. */
   virtual void ReleaseLightData(vtkRenderWindow* window) = 0;
@@ -247,6 +252,12 @@ protected:
    */
   void DrawEvaluation(
     vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int light, double share = 0.0);
+  /**
+   * For a shader of the technique's own: what declares the lights (vtkShadowLightsFS.glsl), and its
+   * uniforms.
+   */
+  std::string GetLightsGLSL();
+  void SetLightParameters(vtkShaderProgram* program);
   /** Free all that is on the GPU; a subclass's destructor calls this while it can still free. */
   void Detach();
   /** Draw a fragment shader over the viewport that is set. */

@@ -44,6 +44,7 @@ public:
   vtkShadowCasters Casters;
   vtkVisibilityBuffer Buffer;
   vtkShadowTimers Timers;
+  vtkShadowQuad Quad;
   std::vector<std::string> LightNotes; // how each light was treated
   bool Active = false;                 // shadows are drawn in this frame
   bool BufferValid = false;            // the buffer holds the last frame
@@ -53,7 +54,6 @@ public:
   std::vector<vtkSmartPointer<vtkProp>> Props; // what survived culling, until the next frame
   std::vector<vtkProp*> Marked; // these and their parts, while the pass is in their keys
   std::set<vtkShaderProgram*> UpToDatePrograms;
-  unsigned int QuadVertexArray = 0;
   unsigned long Frames = 0;
 
   // What is injected; a change makes the mappers build their shaders anew.

@@ -271,6 +271,12 @@ std::string vtkShadowPass::GetDebugViews()
 }
 
 //------------------------------------------------------------------------------
+std::string vtkShadowPass::GetDebugQuantity(const std::string& view)
+{
+  return view == "cost" ? "shadowCost" : "";
+}
+
+//------------------------------------------------------------------------------
 bool vtkShadowPass::SetDebugView(const std::string& view)
 {
   std::istringstream known(this->GetDebugViews());

@@ -7,7 +7,6 @@
 #include "vtkShaderProgram.h"
 #include "vtkShadowDebugFS.h"
 #include "vtkShadowPassInternals.h"
-#include "vtkShadowQuadVS.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtk_glew.h"
 
@@ -33,7 +32,7 @@ void vtkShadowPass::EvaluateVisibility()
   if (my.Active)
   {
     vtkShadowTimers::Scope timer(my.Timers, "visibility");
-    my.Buffer.SetWantsCost(my.Window, false);
+    my.Buffer.SetQuantity(my.Window, "");
     this->ActivateLightData(frame);
     this->FillVisibility(frame, my.Buffer);
     this->DeactivateLightData(frame);
@@ -97,7 +96,7 @@ void vtkShadowPass::DrawEvaluation(
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   state->vtkglDisable(GL_DEPTH_TEST);
   const std::string source = vtkShadowInjection::GetEvaluation(
-    my.GetPreamble() + (buffer.WantsCost() ? "#define SHADOW_OUTPUT_COST\n" : "") +
+    my.GetPreamble() + (buffer.GetQuantity().empty() ? "" : "#define SHADOW_QUANTITY " + buffer.GetQuantity() + "\n") +
       (share > 0.0 ? "#define SHADOW_OUTPUT_CHANGE\n" : ""),
     this->GetVisibilityGLSL());
   this->DrawQuad(source,
@@ -117,50 +116,47 @@ void vtkShadowPass::DrawEvaluation(
 void vtkShadowPass::DrawQuad(
   const std::string& fragmentShader, const std::function<void(vtkShaderProgram*)>& setParameters)
 {
-  Internals& my = *this->Internal;
-  vtkShaderProgram* program =
-    my.Window->GetShaderCache()->ReadyShaderProgram(vtkShadowQuadVS, fragmentShader.c_str(), "");
-  if (!program)
-  {
-    return; // the shader cache has reported why
-  }
-  setParameters(program);
-  if (!my.QuadVertexArray)
-  {
-    glGenVertexArrays(1, &my.QuadVertexArray);
-  }
-  glBindVertexArray(my.QuadVertexArray);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-  glBindVertexArray(0);
+  this->Internal->Quad.Draw(this->Internal->Window, fragmentShader, setParameters);
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowPass::DrawDebug()
 {
-  static const char* const common[] = { "visibility", "penumbra", "cost" };
   Internals& my = *this->Internal;
   vtkOpenGLState* state = my.Window->GetState();
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_BLEND);
-  const auto* found = std::find(common, common + 3, my.DebugView);
-  if (found == common + 3)
+  const std::string quantity = this->GetDebugQuantity(my.DebugView);
+  const bool penumbra = my.DebugView == "penumbra";
+  if (quantity.empty() && !penumbra && my.DebugView != "visibility")
   {
     this->DrawDebugView(my.Frame, my.DebugView);
     return;
   }
-  const bool cost = my.DebugView == "cost";
-  if (cost)
+  double white = 1.0;
+  if (!quantity.empty())
   {
-    my.Buffer.SetWantsCost(my.Window, true);
+    my.Buffer.SetQuantity(my.Window, quantity);
     this->FillVisibility(my.Frame, my.Buffer);
+    white = this->GetMaximumCost();
+    if (my.DebugView != "cost")
+    {
+      white = 0.0;
+      for (std::size_t i = 0; i < my.Frame.Lights.size(); ++i)
+      {
+        const auto values = my.Buffer.ReadTarget(my.Window, static_cast<int>(i));
+        white = std::max<double>(white, *std::max_element(values.begin(), values.end()));
+      }
+    }
+    my.Frame.Counts["debugViewWhite"] = white;
   }
   int viewport[4];
   state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   std::string source = vtkShadowDebugFS;
-  vtkShaderProgram::Substitute(
-    source, "SHADOW_DEBUG_SWIZZLE", my.Buffer.IsColor() && !cost ? "texel.rgb" : "texel.rrr");
+  vtkShaderProgram::Substitute(source, "SHADOW_DEBUG_SWIZZLE",
+    my.Buffer.IsColor() && quantity.empty() ? "texel.rgb" : "texel.rrr");
   my.Buffer.GetTarget().Activate(my.Window);
   my.Buffer.GetReceivers().Activate(my.Window);
   this->DrawQuad(source,
@@ -170,13 +166,12 @@ void vtkShadowPass::DrawDebug()
       program->SetUniformi("shadowBuffer", my.Buffer.GetTarget().GetUnit());
       program->SetUniform2i("shadowOrigin", viewport);
       program->SetUniformi("shadowLights", static_cast<int>(my.Frame.Lights.size()));
-      program->SetUniformi("shadowView", static_cast<int>(found - common));
-      program->SetUniformf(
-        "shadowCostScale", static_cast<float>(1.0 / std::max(1.0, this->GetMaximumCost())));
+      program->SetUniformi("shadowView", quantity.empty() ? (penumbra ? 1 : 0) : 2);
+      program->SetUniformf("shadowScale", white > 0.0 ? static_cast<float>(1.0 / white) : 0.0f);
     });
   my.Buffer.GetReceivers().Deactivate(my.Window);
   my.Buffer.GetTarget().Deactivate(my.Window);
-  my.Buffer.SetWantsCost(my.Window, false);
+  my.Buffer.SetQuantity(my.Window, "");
 }
 
 //------------------------------------------------------------------------------
@@ -229,7 +224,7 @@ vtkImageData* vtkShadowPass::GetVisibilityOfLayer(int layer)
   const vtkIdType pixels = static_cast<vtkIdType>(width) * height;
   const auto receivers = my.Buffer.ReadReceivers(my.Window);
   const bool shadowed = my.Active && layer >= 0;
-  const auto values = shadowed ? my.Buffer.ReadVisibility(my.Window, layer) : std::vector<float>();
+  const auto values = shadowed ? my.Buffer.ReadTarget(my.Window, layer) : std::vector<float>();
 
   vtkNew<vtkFloatArray> visibility;
   visibility->SetName("Visibility");

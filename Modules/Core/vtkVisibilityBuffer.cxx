@@ -17,12 +17,12 @@ bool vtkVisibilityBuffer::Allocate(
 }
 
 //------------------------------------------------------------------------------
-void vtkVisibilityBuffer::SetWantsCost(vtkOpenGLRenderWindow* window, bool cost)
+void vtkVisibilityBuffer::SetQuantity(vtkOpenGLRenderWindow* window, const std::string& name)
 {
-  this->FillingCost = cost;
-  if (cost)
+  this->Quantity = name;
+  if (!name.empty())
   {
-    this->Cost.Allocate(window, vtkShadowTexture::Format::Float1, this->GetWidth(),
+    this->Quantities.Allocate(window, vtkShadowTexture::Format::Float1, this->GetWidth(),
       this->GetHeight(), this->Visibility.GetLayers());
   }
 }
@@ -46,11 +46,12 @@ std::vector<glm::vec4> vtkVisibilityBuffer::ReadReceivers(vtkOpenGLRenderWindow*
 }
 
 //------------------------------------------------------------------------------
-std::vector<float> vtkVisibilityBuffer::ReadVisibility(vtkOpenGLRenderWindow* window, int light)
+std::vector<float> vtkVisibilityBuffer::ReadTarget(vtkOpenGLRenderWindow* window, int light)
 {
+  const int components = this->Quantity.empty() ? this->GetComponents() : 1;
   std::vector<float> values(
-    static_cast<std::size_t>(this->GetComponents()) * this->GetWidth() * this->GetHeight());
-  this->Read(window, this->Visibility, light, this->GetComponents(), values.data());
+    static_cast<std::size_t>(components) * this->GetWidth() * this->GetHeight());
+  this->Read(window, this->GetTarget(), light, components, values.data());
   return values;
 }
 
@@ -58,7 +59,7 @@ std::vector<float> vtkVisibilityBuffer::ReadVisibility(vtkOpenGLRenderWindow* wi
 std::size_t vtkVisibilityBuffer::GetGPUBytes() const
 {
   return this->Receivers.GetBytes() + this->ReceiverDepth.GetBytes() + this->Visibility.GetBytes() +
-         this->Cost.GetBytes();
+         this->Quantities.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -67,6 +68,6 @@ void vtkVisibilityBuffer::Release(vtkOpenGLRenderWindow* window)
   this->Receivers.Release(window);
   this->ReceiverDepth.Release(window);
   this->Visibility.Release(window);
-  this->Cost.Release(window);
+  this->Quantities.Release(window);
   this->Framebuffer.Release(window);
 }

@@ -5,7 +5,7 @@
 //   depth       24 bits  helper of the receivers; as the window's, so that coplanar surfaces hide each
 //                        other as they do in the picture
 //   visibility  R32F, or RGBA32F with a textured light; a layer each light
-//   cost        R32F, a layer each light; only for the debug view
+//   quantity    R32F, a layer each light: what a debug view shows instead
 
 #ifndef vtkVisibilityBuffer_h
 #define vtkVisibilityBuffer_h
@@ -15,6 +15,7 @@
 
 #include <glm/vec4.hpp>
 
+#include <string>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
@@ -31,11 +32,17 @@ public:
   /** 1, or 4 where a light is textured. */
   int GetComponents() const { return this->Color ? 4 : 1; }
 
-  /** The cost is to be filled, not the visibility. */
-  bool WantsCost() const { return this->FillingCost; }
-  void SetWantsCost(vtkOpenGLRenderWindow* window, bool cost);
+  /**
+   * What is to be filled instead of the visibility: the name of a variable of the GLSL, such as
+   * shadowCost, or empty.
+   */
+  const std::string& GetQuantity() const { return this->Quantity; }
+  void SetQuantity(vtkOpenGLRenderWindow* window, const std::string& name);
   /** What is to be filled, a layer each light. */
-  vtkShadowTexture& GetTarget() { return this->FillingCost ? this->Cost : this->Visibility; }
+  vtkShadowTexture& GetTarget()
+  {
+    return this->Quantity.empty() ? this->Visibility : this->Quantities;
+  }
 
   vtkShadowTexture& GetReceivers() { return this->Receivers; }
   const vtkShadowTexture& GetReceiverDepth() const { return this->ReceiverDepth; }
@@ -43,8 +50,8 @@ public:
 
   /** Texels, row by row from the bottom. */
   std::vector<glm::vec4> ReadReceivers(vtkOpenGLRenderWindow* window);
-  /** GetComponents() floats a pixel. */
-  std::vector<float> ReadVisibility(vtkOpenGLRenderWindow* window, int light);
+  /** GetComponents() floats a pixel, or 1 of a quantity. */
+  std::vector<float> ReadTarget(vtkOpenGLRenderWindow* window, int light);
 
   std::size_t GetGPUBytes() const;
   void Release(vtkOpenGLRenderWindow* window);
@@ -56,10 +63,10 @@ private:
   vtkShadowTexture Receivers;
   vtkShadowTexture ReceiverDepth;
   vtkShadowTexture Visibility;
-  vtkShadowTexture Cost;
+  vtkShadowTexture Quantities;
   vtkShadowFramebuffer Framebuffer;
   bool Color = false;
-  bool FillingCost = false;
+  std::string Quantity;
 };
 
 #endif

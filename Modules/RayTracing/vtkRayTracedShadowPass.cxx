@@ -116,12 +116,12 @@ void vtkRayTracedShadowPass::FillVisibility(vtkShadowFrame& frame, vtkVisibility
     }
   }
   const int samples = this->GetInteger("samples");
-  const int components = buffer.WantsCost() ? 1 : buffer.GetComponents();
+  const int components = buffer.GetQuantity().empty() ? buffer.GetComponents() : 1;
   double rays = 0.0;
   for (std::size_t i = 0; i < frame.Lights.size(); ++i)
   {
     std::vector<float> values(components * texels.size(), 1.0f);
-    if (buffer.WantsCost())
+    if (!buffer.GetQuantity().empty())
     {
       const double cost = frame.Lights[i].IsPoint() ? 1.0 : samples;
       for (const auto& receiver : receivers)
@@ -139,7 +139,7 @@ void vtkRayTracedShadowPass::FillVisibility(vtkShadowFrame& frame, vtkVisibility
     }
     buffer.GetTarget().UploadLayer(frame.Window, static_cast<int>(i), values.data());
   }
-  if (!buffer.WantsCost())
+  if (buffer.GetQuantity().empty())
   {
     frame.Counts["rays"] = rays;
     frame.Counts["traceMilliseconds"] =

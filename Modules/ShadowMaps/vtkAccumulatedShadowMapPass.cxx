@@ -43,7 +43,7 @@ void vtkAccumulatedShadowMapPass::FillVisibility(vtkShadowFrame& frame, vtkVisib
   {
     vtkShadowFramebuffer::Scope target(
       frame.Window, buffer.GetFramebuffer(), &buffer.GetTarget(), nullptr, static_cast<int>(i));
-    glClearBufferfv(GL_COLOR, 0, buffer.WantsCost() ? none : start);
+    glClearBufferfv(GL_COLOR, 0, buffer.GetQuantity().empty() ? start : none);
   }
   vtkOpenGLState* state = frame.Window->GetState();
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);

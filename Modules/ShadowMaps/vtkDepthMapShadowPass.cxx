@@ -27,11 +27,23 @@ vtkDepthMapShadowPass::~vtkDepthMapShadowPass()
 //------------------------------------------------------------------------------
 bool vtkDepthMapShadowPass::UpdateMaps(vtkShadowFrame& frame, int samples, double megabytes)
 {
-  vtkShadowMaps::Settings settings;
+  vtkShadowMapSettings settings;
+  this->SetMapSettings(settings);
   settings.Samples = samples;
+  settings.Midpoint = this->GetBoolean("midpoint");
   settings.Bilinear = this->GetText("filter") == "bilinear";
   settings.MemoryLimit = static_cast<std::size_t>(megabytes * 1048576.0);
   settings.Resolution = this->GetInteger("resolution");
+  if (settings.Resolution == 0)
+  {
+    // About a texel a pixel where casters fill the picture; in powers of two, so that a window can
+    // be resized without new maps.
+    settings.Resolution = 512;
+    while (settings.Resolution < std::min(4096, std::max(frame.Size[0], frame.Size[1])))
+    {
+      settings.Resolution *= 2;
+    }
+  }
   int largest = settings.Resolution;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
   if (settings.Resolution > largest)
@@ -52,7 +64,7 @@ bool vtkDepthMapShadowPass::UpdateMaps(vtkShadowFrame& frame, int samples, doubl
 //------------------------------------------------------------------------------
 std::string vtkDepthMapShadowPass::GetVisibilityGLSL()
 {
-  return this->Maps->GetDefinitions() + vtkShadowMapsFS;
+  return this->Maps->GetGLSL() + vtkShadowMapsFS;
 }
 
 //------------------------------------------------------------------------------
@@ -117,7 +129,7 @@ void vtkDepthMapShadowPass::ReleaseLightData(vtkRenderWindow* window)
 //------------------------------------------------------------------------------
 std::vector<std::pair<std::string, std::size_t>> vtkDepthMapShadowPass::GetLightDataBytes()
 {
-  return { { "maps", this->Maps->GetBytes() } };
+  return this->Maps->GetBytes();
 }
 
 //------------------------------------------------------------------------------

@@ -17,6 +17,7 @@
 #include "vtkSoftShadowsShadowMapsModule.h" // For export macro
 
 class vtkShadowMaps;
+struct vtkShadowMapSettings;
 
 class VTKSOFTSHADOWSSHADOWMAPS_EXPORT vtkDepthMapShadowPass : public vtkShadowPass
 {
@@ -30,8 +31,14 @@ protected:
   vtkDepthMapShadowPass();
   ~vtkDepthMapShadowPass() override;
 
-  /** Update the maps with the parameters "resolution" and "filter", N samples, and a limit. */
+  /**
+   * Update the maps with the parameters "resolution" (0: from the picture's size), "filter" and
+   * "midpoint", N samples, and a limit.
+   */
   bool UpdateMaps(vtkShadowFrame& frame, int samples, double megabytes);
+
+  /** What a technique wants else of its maps. */
+  virtual void SetMapSettings(vtkShadowMapSettings&) {}
 
   std::string GetVisibilityGLSL() override;
   void ActivateLightData(vtkShadowFrame& frame) override;

@@ -1,27 +1,18 @@
-// The declarations of the family's techniques.
+// The declarations of the family's techniques that take a look-up a map. Those of filters:
+// vtkShadowMapFilterTechniques.cxx.
 
 #include "vtkAccumulatedShadowMapPass.h"
 #include "vtkHardShadowMapPass.h"
+#include "vtkShadowMapParameters.h"
 #include "vtkShadowTechnique.h"
 
 vtkShadowTechniqueAutoInit(VTKSOFTSHADOWSSHADOWMAPS_EXPORT, vtkSoftShadowsShadowMaps)
 
   namespace
 {
+  using namespace vtkShadowMapParameters;
   using Support = vtkShadowShapeSupport;
   using Type = vtkShadowParameter::Type;
-
-  vtkShadowParameter Resolution(const char* value, std::vector<std::string> presets)
-  {
-    return { "resolution", Type::Integer, value, 16, 16384, {}, "texels", "Side of a depth map",
-      std::move(presets) };
-  }
-
-  vtkShadowParameter Filter(const char* value)
-  {
-    return { "filter", Type::Choice, value, 0, 0, { "nearest", "bilinear" }, "",
-      "Compare with the nearest texel, or interpolate the compares of the four nearest", {} };
-  }
 
   vtkShadowTechnique Hard()
   {
@@ -34,7 +25,7 @@ vtkShadowTechniqueAutoInit(VTKSOFTSHADOWSSHADOWMAPS_EXPORT, vtkSoftShadowsShadow
     t.New = [] { return static_cast<vtkShadowPass*>(vtkHardShadowMapPass::New()); };
     t.LightShapes = { Support::Exact, Support::Approximate, Support::Approximate,
       Support::Approximate, Support::Exact, Support::Approximate };
-    t.Parameters = { Resolution("1024", { "512", "1024", "1024", "4096" }), Filter("bilinear") };
+    t.Parameters = { AutomaticResolution(), Filter("bilinear"), Midpoint() };
     t.Resources = {
       "depth map, 4 bytes a texel, resolution^2 each light (up to six where the light "
       "is among the casters)"
@@ -62,6 +53,7 @@ vtkShadowTechniqueAutoInit(VTKSOFTSHADOWSSHADOWMAPS_EXPORT, vtkSoftShadowsShadow
         { "16", "32", "64", "1024" } },
       Resolution("512", { "256", "512", "512", "1024" }),
       Filter("nearest"),
+      Midpoint(),
       { "memory", Type::Integer, "512", 1, 65536, {}, "MiB",
         "Most that the maps may hold; more maps than fit are drawn in batches in every frame", {} },
     };

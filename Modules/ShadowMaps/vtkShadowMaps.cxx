@@ -5,12 +5,16 @@
 #include "vtkShaderProgram.h"
 #include "vtkShadowCasters.h"
 #include "vtkShadowFrame.h"
+#include "vtkShadowMapMidpointFS.h"
+#include "vtkShadowMapPeelFS.h"
+#include "vtkShadowMapViewsFS.h"
 #include "vtk_glew.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <tuple>
 
 namespace
@@ -23,24 +27,35 @@ constexpr double DepthRounding = 1.0 / 1048576.0;
 /** So many views are uniforms, and the shader's loops over them constant. */
 constexpr int MostFewViews = 12;
 
+/** Vectors of a view: see vtkShadowMapViewsFS.glsl; and of one for neighbours. */
+constexpr int VectorsOfView = 7;
+constexpr int VectorsOfKernel = 4;
+
 /** A map's border that stays clear of casters, in texels: look-ups there find light. */
 constexpr double BorderTexels = 2.0;
 }
 
 //------------------------------------------------------------------------------
-bool vtkShadowMaps::Settings::operator==(const Settings& other) const
+bool vtkShadowMapSettings::operator==(const vtkShadowMapSettings& other) const
 {
-  return std::tie(this->Resolution, this->Samples, this->Bilinear, this->MemoryLimit) ==
-         std::tie(other.Resolution, other.Samples, other.Bilinear, other.MemoryLimit);
+  const auto tie = [](const vtkShadowMapSettings& s)
+  {
+    return std::tie(s.Resolution, s.Samples, s.Bilinear, s.Midpoint, s.Neighbours, s.Separation,
+      s.MemoryLimit);
+  };
+  return tie(*this) == tie(other);
 }
 
 //------------------------------------------------------------------------------
 std::vector<vtkShadowMaps::View> vtkShadowMaps::MakeViews(
-  vtkShadowFrame& frame, int index, std::vector<int>& casters) const
+  vtkShadowFrame& frame, int index, LightState& state) const
 {
   const vtkShadowLight& light = frame.Lights[index];
-  const vtkLightFrusta frusta(light, *frame.Casters, BorderTexels / this->Current.Resolution);
-  casters = frusta.GetCasters();
+  const vtkLightFrusta frusta(
+    light, *frame.Casters, BorderTexels / this->Current.Resolution, this->Current.Neighbours);
+  state.Casters = frusta.GetCasters();
+  state.Extent = frusta.GetExtent();
+  const auto& casters = state.Casters;
   std::vector<View> views;
   if (casters.empty())
   {
@@ -71,7 +86,7 @@ std::vector<vtkShadowMaps::View> vtkShadowMaps::MakeViews(
 }
 
 //------------------------------------------------------------------------------
-bool vtkShadowMaps::Update(vtkShadowFrame& frame, const Settings& settings)
+bool vtkShadowMaps::Update(vtkShadowFrame& frame, const vtkShadowMapSettings& settings)
 {
   const bool all = !(settings == this->Current) || !this->Maps.GetHandle() ||
                    frame.Casters->GetVersion() != this->CasterVersion ||
@@ -94,10 +109,11 @@ bool vtkShadowMaps::Update(vtkShadowFrame& frame, const Settings& settings)
     {
       views.insert(views.end(), old, old + this->Lights[i].Count);
       state.Casters = this->Lights[i].Casters;
+      state.Extent = this->Lights[i].Extent;
     }
     else
     {
-      const auto made = this->MakeViews(frame, static_cast<int>(i), state.Casters);
+      const auto made = this->MakeViews(frame, static_cast<int>(i), state);
       views.insert(views.end(), made.begin(), made.end());
       // Receivers matter only where they change what the frusta hug.
       same =
@@ -121,6 +137,7 @@ bool vtkShadowMaps::Update(vtkShadowFrame& frame, const Settings& settings)
     this->BatchFirst = this->BatchCount = 0;
     this->Maps.Release(frame.Window);
     this->Maps.Allocate(frame.Window, vtkShadowTexture::Format::Depth, 1, 1, 1);
+    this->Pyramid.Allocate(frame.Window, this->Maps);
     this->Few = true;
     return true;
   }
@@ -134,7 +151,8 @@ bool vtkShadowMaps::Update(vtkShadowFrame& frame, const Settings& settings)
   this->Batches = (total + this->BatchSize - 1) / this->BatchSize;
   const unsigned long before = this->Maps.GetGeneration();
   if (!this->Maps.Allocate(frame.Window, vtkShadowTexture::Format::Depth, settings.Resolution,
-        settings.Resolution, this->BatchSize))
+        settings.Resolution, this->BatchSize) ||
+      (settings.Neighbours && !this->Pyramid.Allocate(frame.Window, this->Maps)))
   {
     this->Release(frame.Window);
     return false;
@@ -162,6 +180,10 @@ bool vtkShadowMaps::Update(vtkShadowFrame& frame, const Settings& settings)
       if (fresh || changed[i])
       {
         this->Draw(frame, this->Lights[i].First, this->Lights[i].Count);
+        if (settings.Neighbours)
+        {
+          this->Pyramid.Build(frame, this->Maps, this->Lights[i].First, this->Lights[i].Count);
+        }
       }
     }
   }
@@ -214,17 +236,112 @@ void vtkShadowMaps::Draw(vtkShadowFrame& frame, int first, int count)
   state->vtkglDepthFunc(GL_LESS);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);
+  frame.Counts["mapsDrawn"] += count;
+  if (this->Current.Midpoint)
+  {
+    for (int i = first; i < first + count; ++i)
+    {
+      this->DrawMidpoint(frame, i);
+    }
+    return;
+  }
   vtkShadowFramebuffer::Scope target(
     frame.Window, this->Framebuffer, nullptr, &this->Maps, first - this->BatchFirst);
   for (int i = first; i < first + count; ++i)
   {
     target.SetLayer(i - this->BatchFirst);
-    const float farthest = 1.0f;
-    glClearBufferfv(GL_DEPTH, 0, &farthest);
+    this->ClearLayer(state);
     const View& view = this->Views[i];
     frame.Casters->Draw(frame.Window, view.Frustum.WCToClip, this->Lights[view.Light].Casters);
+    state->vtkglDisable(GL_SCISSOR_TEST);
   }
-  frame.Counts["mapsDrawn"] += count;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowMaps::ClearLayer(vtkOpenGLState* state)
+{
+  const float farthest = 1.0f;
+  glClearBufferfv(GL_DEPTH, 0, &farthest);
+  if (this->Current.Neighbours)
+  {
+    // A border of light, also where casters reach over it: look-ups beyond it read that.
+    const int inner = std::max(1, this->Current.Resolution - 2);
+    state->vtkglEnable(GL_SCISSOR_TEST);
+    state->vtkglScissor(1, 1, inner, inner);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowMaps::DrawMidpoint(vtkShadowFrame& frame, int index)
+{
+  using Format = vtkShadowTexture::Format;
+  const View& view = this->Views[index];
+  const int side = this->Current.Resolution;
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglColorMask colorMask(state);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  for (int layer = 0; layer < 2; ++layer)
+  {
+    if (!this->Layers[layer].Allocate(frame.Window, Format::Depth, side, side, 1) ||
+        !this->Sides[layer].Allocate(frame.Window, Format::Float1, side, side, 1))
+    {
+      // The map stays empty: all is lit. GL has too little memory for anything else too.
+      return;
+    }
+    std::string source = vtkShadowMapPeelFS;
+    if (layer == 1)
+    {
+      vtkShaderProgram::Substitute(
+        source, "//VTK::Output::Dec", "#define SHADOW_SECOND\n//VTK::Output::Dec");
+    }
+    vtkShadowFramebuffer::Scope target(
+      frame.Window, this->Framebuffer, &this->Sides[layer], &this->Layers[layer], 0);
+    const float farthest = 1.0f;
+    glClearBufferfv(GL_DEPTH, 0, &farthest);
+    if (layer == 1)
+    {
+      this->Layers[0].Activate(frame.Window);
+      this->Sides[0].Activate(frame.Window);
+    }
+    frame.Casters->Draw(frame.Window, view.Frustum.WCToClip, this->Lights[view.Light].Casters,
+      source.c_str(),
+      [&](vtkShaderProgram* program)
+      {
+        if (layer == 1)
+        {
+          program->SetUniformi("shadowFirstDepth", this->Layers[0].GetUnit());
+          program->SetUniformi("shadowFirstSide", this->Sides[0].GetUnit());
+        }
+      });
+  }
+  this->Sides[0].Deactivate(frame.Window);
+  this->Layers[1].Activate(frame.Window);
+  this->Sides[1].Activate(frame.Window);
+  vtkShadowFramebuffer::Scope target(
+    frame.Window, this->Framebuffer, nullptr, &this->Maps, index - this->BatchFirst);
+  this->ClearLayer(state);
+  state->vtkglDepthFunc(GL_ALWAYS);
+  const auto& frustum = view.Frustum;
+  const bool directional = frame.Lights[view.Light].IsDirectional();
+  // Depth is 1 at the far plane: the constant follows from the scale and the range of distances.
+  const double range = frustum.DepthRange;
+  const double nearest =
+    0.5 * (std::sqrt(range * range + 4.0 * range * frustum.DepthScale) - range);
+  const float form[] = { static_cast<float>((nearest + range) / range),
+    directional ? 0.0f : static_cast<float>(frustum.DepthScale) };
+  frame.Quad->Draw(frame.Window, vtkShadowMapMidpointFS,
+    [&](vtkShaderProgram* program)
+    {
+      program->SetUniformi("shadowFirstDepth", this->Layers[0].GetUnit());
+      program->SetUniformi("shadowSecondDepth", this->Layers[1].GetUnit());
+      program->SetUniformi("shadowSides", this->Sides[1].GetUnit());
+      program->SetUniform2f("shadowDepthForm", form);
+    });
+  state->vtkglDepthFunc(GL_LESS);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  this->Layers[0].Deactivate(frame.Window);
+  this->Layers[1].Deactivate(frame.Window);
+  this->Sides[1].Deactivate(frame.Window);
 }
 
 //------------------------------------------------------------------------------
@@ -241,7 +358,7 @@ void vtkShadowMaps::UpdateViewVectors(vtkShadowFrame& frame, bool changed)
     glm::scale(glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)), glm::dvec3(0.5));
   const glm::dmat4 WCToVC = frame.GetWCToVC();
   this->ViewVectors.clear();
-  this->ViewVectors.reserve(7 * this->Views.size());
+  this->ViewVectors.reserve((VectorsOfView + VectorsOfKernel) * this->Views.size());
   for (const auto& view : this->Views)
   {
     glm::dmat4 rows = glm::transpose(toUnit * view.Frustum.WCToClip * frame.VCToWC);
@@ -256,6 +373,10 @@ void vtkShadowMaps::UpdateViewVectors(vtkShadowFrame& frame, bool changed)
     this->ViewVectors.emplace_back(glm::dvec4(turn * view.Frustum.WindowX * reach, place.x));
     this->ViewVectors.emplace_back(glm::dvec4(turn * view.Frustum.WindowY * reach, place.y));
     this->ViewVectors.emplace_back(glm::dvec4(view.Weight, place.z));
+    if (this->Current.Neighbours)
+    {
+      this->AddKernelVectors(frame.Lights[view.Light], view, reach);
+    }
   }
   if (!this->Few)
   {
@@ -264,25 +385,59 @@ void vtkShadowMaps::UpdateViewVectors(vtkShadowFrame& frame, bool changed)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkShadowMaps::GetDefinitions() const
+void vtkShadowMaps::AddKernelVectors(const vtkShadowLight& light, const View& view, double reach)
+{
+  const vtkLightView& frustum = view.Frustum;
+  const glm::dvec2 window(glm::length(frustum.WindowX), glm::length(frustum.WindowY));
+  const glm::dvec3 x = frustum.WindowX / window.x;
+  const glm::dvec3 y = frustum.WindowY / window.y;
+  const bool sphere = light.Kind == vtkShadowLight::Shape::Sphere;
+  // A sphere's axes are those of the view; the shader projects them for each receiver.
+  const double radius = glm::length(light.U);
+  const glm::dvec3 u = sphere ? radius * x : light.U;
+  const glm::dvec3 v = sphere ? radius * y : light.V;
+  const glm::dvec2 scale = 1.0 / (window * frustum.DepthScale);
+  this->ViewVectors.emplace_back(
+    glm::dvec4(glm::dot(u, x), glm::dot(u, y), glm::dot(v, x), glm::dot(v, y)) *
+    glm::dvec4(scale, scale));
+  this->ViewVectors.emplace_back(glm::dvec4(
+    frustum.DepthScale, window, this->GetSeparation(view.Light)));
+  this->ViewVectors.emplace_back(
+    glm::dvec4(frustum.Cut ? 1 : 0, frustum.Face ? 1 : 0, sphere ? 1 : 0, 1.0 / reach));
+  const glm::dvec3 z = glm::cross(x, y); // along the axis: windows are right-handed with it
+  this->ViewVectors.emplace_back(
+    glm::dvec4(glm::dot(u, z), glm::dot(v, z), sphere ? radius : 0.0, 0.0));
+}
+
+//------------------------------------------------------------------------------
+double vtkShadowMaps::GetSeparation(int light) const
+{
+  return this->Current.Separation * this->Lights[light].Extent;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkShadowMaps::GetGLSL() const
 {
   const bool clipped = std::any_of(
     this->Views.begin(), this->Views.end(), [](const View& v) { return v.Frustum.Clipped; });
-  const std::string definitions = clipped ? "#define SHADOW_CLIPPED_VIEWS\n" : "";
-  if (!this->Few)
+  const int vectors = VectorsOfView + (this->Current.Neighbours ? VectorsOfKernel : 0);
+  std::string source = "#define SHADOW_VIEW_VECTORS " + std::to_string(vectors) + "\n" +
+                       (clipped ? "#define SHADOW_CLIPPED_VIEWS\n" : "");
+  if (this->Few)
   {
-    return definitions;
+    std::string first;
+    std::string count;
+    for (const auto& light : this->Lights)
+    {
+      first += (first.empty() ? "" : ", ") + std::to_string(light.First);
+      count += (count.empty() ? "" : ", ") + std::to_string(light.Count);
+    }
+    source += "#define SHADOW_FEW_VIEWS " + std::to_string(std::max(1, this->GetNumberOfViews())) +
+              "\n#define SHADOW_FIRST_VIEWS " + first + "\n#define SHADOW_VIEW_COUNTS " + count +
+              "\n";
   }
-  std::string first;
-  std::string count;
-  for (const auto& light : this->Lights)
-  {
-    first += (first.empty() ? "" : ", ") + std::to_string(light.First);
-    count += (count.empty() ? "" : ", ") + std::to_string(light.Count);
-  }
-  return definitions + "#define SHADOW_FEW_VIEWS " +
-         std::to_string(std::max(1, this->GetNumberOfViews())) + "\n#define SHADOW_FIRST_VIEWS " +
-         first + "\n#define SHADOW_VIEW_COUNTS " + count + "\n";
+  source += vtkShadowMapViewsFS;
+  return this->Current.Neighbours ? source + vtkShadowDepthPyramid::GetGLSL() : source;
 }
 
 //------------------------------------------------------------------------------
@@ -293,11 +448,18 @@ void vtkShadowMaps::Activate(vtkShadowFrame& frame)
   {
     this->ViewBuffer.Activate(frame.Window);
   }
+  if (this->Current.Neighbours)
+  {
+    this->Depths.Activate(frame.Window, this->Maps, vtkShadowTexture::Sampling::Nearest);
+    this->Pyramid.Activate(frame.Window);
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowMaps::Deactivate(vtkShadowFrame& frame)
 {
+  this->Pyramid.Deactivate(frame.Window);
+  this->Depths.Deactivate(frame.Window);
   this->ViewBuffer.Deactivate(frame.Window);
   this->Maps.Deactivate(frame.Window);
 }
@@ -306,6 +468,11 @@ void vtkShadowMaps::Deactivate(vtkShadowFrame& frame)
 void vtkShadowMaps::SetParameters(vtkShaderProgram* program)
 {
   program->SetUniformi("shadowMaps", this->Maps.GetUnit());
+  if (this->Current.Neighbours)
+  {
+    program->SetUniformi("shadowDepths", this->Depths.GetUnit());
+    this->Pyramid.SetParameters(program);
+  }
   if (this->Few)
   {
     if (!this->ViewVectors.empty())
@@ -332,10 +499,35 @@ void vtkShadowMaps::SetParameters(vtkShaderProgram* program)
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::pair<std::string, std::size_t>> vtkShadowMaps::GetBytes() const
+{
+  const std::size_t maps = this->Maps.GetBytes() + this->ViewBuffer.GetBytes();
+  std::vector<std::pair<std::string, std::size_t>> bytes = { { "maps", maps } };
+  if (this->Current.Neighbours)
+  {
+    bytes.emplace_back("pyramid", this->Pyramid.GetBytes());
+  }
+  if (this->Current.Midpoint)
+  {
+    bytes.emplace_back("layers",
+      this->Layers[0].GetBytes() + this->Layers[1].GetBytes() + this->Sides[0].GetBytes() +
+        this->Sides[1].GetBytes());
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowMaps::Release(vtkOpenGLRenderWindow* window)
 {
   this->Maps.Release(window);
   this->ViewBuffer.Release(window);
+  this->Depths.Release(window);
+  this->Pyramid.Release(window);
+  for (int layer = 0; layer < 2; ++layer)
+  {
+    this->Layers[layer].Release(window);
+    this->Sides[layer].Release(window);
+  }
   this->Framebuffer.Release(window);
   this->Views.clear();
   this->Lights.clear();

@@ -2,7 +2,11 @@
 // texture and kept while light, casters and settings are unchanged.
 //
 //   maps    DEPTH_COMPONENT32F  resolution^2, a layer each view (4 bytes a texel)
-//   views   RGBA32F buffer      seven texels a view (see vtkShadowMapsFS.glsl), uniforms if few
+//   views   RGBA32F buffer      seven texels a view (see vtkShadowMapViewsFS.glsl), eleven
+//                               for neighbours; uniforms if few
+//   pyramid                     for neighbours: see vtkShadowDepthPyramid
+//   layers  DEPTH_COMPONENT32F  resolution^2, of midpoint maps: first and second layer
+//   sides   R32F                the same: which side of their faces they show
 //
 // Where the layers do not fit into the memory allowed, the maps are drawn in batches, every frame.
 
@@ -10,35 +14,41 @@
 #define vtkShadowMaps_h
 
 #include "vtkLightFrusta.h"                 // For vtkLightView
+#include "vtkShadowDepthPyramid.h"          // For what is surely lit or dark
 #include "vtkShadowGL.h"                    // For textures
 #include "vtkShadowLight.h"                 // For vtkShadowLight
 #include "vtkSoftShadowsShadowMapsModule.h" // For export macro
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
+class vtkOpenGLState;
 class vtkShaderProgram;
 struct vtkShadowFrame;
+
+struct vtkShadowMapSettings
+{
+  int Resolution = 1024;
+  int Samples = 1;         // of each light that has a size
+  bool Bilinear = true;    // hardware filtering of the four nearest compares
+  bool Midpoint = false;   // the middle of the casters' first two layers instead of the first
+  bool Neighbours = false; // for look-ups all around a point: vtkShadowMapKernelFS.glsl
+  double Separation = 0.1; // assumed between blocker and receiver, as a share of the casters' extent
+  std::size_t MemoryLimit = std::size_t(1) << 32; // bytes for all layers
+
+  bool operator==(const vtkShadowMapSettings& other) const;
+};
 
 class VTKSOFTSHADOWSSHADOWMAPS_EXPORT vtkShadowMaps
 {
 public:
-  struct Settings
-  {
-    int Resolution = 1024;
-    int Samples = 1;      // of each light that has a size
-    bool Bilinear = true; // hardware filtering of the four nearest compares
-    std::size_t MemoryLimit = std::size_t(1) << 32; // bytes for all layers
-
-    bool operator==(const Settings& other) const;
-  };
-
   /**
    * Bring the maps up to date; what was drawn is counted in the frame ("mapsDrawn", "mapsHeld").
    * False where not even one map can be had.
    */
-  bool Update(vtkShadowFrame& frame, const Settings& settings);
+  bool Update(vtkShadowFrame& frame, const vtkShadowMapSettings& settings);
 
   /** All maps are held at once. Else GetNumberOfBatches() and DrawBatch() are to be used. */
   bool AreResident() const { return this->Batches <= 1; }
@@ -50,14 +60,17 @@ public:
 
   void Activate(vtkShadowFrame& frame);
   void Deactivate(vtkShadowFrame& frame);
-  /** `#define`s that vtkShadowMapsFS.glsl wants. */
-  std::string GetDefinitions() const;
-  /** Uniforms of vtkShadowMapsFS.glsl. */
+  /** GLSL that all look-ups share, with the `#define`s that it wants. */
+  std::string GetGLSL() const;
+  /** Its uniforms. */
   void SetParameters(vtkShaderProgram* program);
 
   vtkShadowTexture& GetTexture() { return this->Maps; }
   int GetNumberOfViews() const { return static_cast<int>(this->Views.size()); }
-  std::size_t GetBytes() const { return this->Maps.GetBytes() + this->ViewBuffer.GetBytes(); }
+  /** What vtkShadowMapSettings::Separation makes of a light's casters, in world units. */
+  double GetSeparation(int light) const;
+  /** Bytes of all, by name. */
+  std::vector<std::pair<std::string, std::size_t>> GetBytes() const;
   void Release(vtkOpenGLRenderWindow* window);
 
 private:
@@ -74,13 +87,18 @@ private:
     int First = 0;
     int Count = 0;
     std::vector<int> Casters;
+    double Extent = 0.0; // of these
   };
 
-  std::vector<View> MakeViews(vtkShadowFrame& frame, int light, std::vector<int>& casters) const;
+  std::vector<View> MakeViews(vtkShadowFrame& frame, int light, LightState& state) const;
   void Draw(vtkShadowFrame& frame, int first, int count);
+  /** Clear the layer that is bound, and keep its border so where there are look-ups beyond it. */
+  void ClearLayer(vtkOpenGLState* state);
+  void DrawMidpoint(vtkShadowFrame& frame, int view);
+  void AddKernelVectors(const vtkShadowLight& light, const View& view, double reach);
   void UpdateViewVectors(vtkShadowFrame& frame, bool changed);
 
-  Settings Current;
+  vtkShadowMapSettings Current;
   unsigned long CasterVersion = 0;
   unsigned long ReceiverVersion = 0;
   std::vector<View> Views;
@@ -94,6 +112,10 @@ private:
   glm::dmat4 VCToWC{ 0.0 };           // that camera
   vtkShadowTexture Maps;
   vtkShadowTexture ViewBuffer; // where the views are no uniforms
+  vtkShadowSampler Depths;     // the maps without compare
+  vtkShadowDepthPyramid Pyramid;
+  vtkShadowTexture Layers[2];
+  vtkShadowTexture Sides[2];
   vtkShadowFramebuffer Framebuffer;
 };
 

@@ -6,81 +6,22 @@
 // light moves (medians of interleaved frames, each ended by glFinish), and the error of the picture
 // against a ray-traced point light. The light is a spot, because VTK's pass takes nothing else.
 
-#include "vtkCamera.h"
+#include "Contestant.h"
+
 #include "vtkCameraPass.h"
-#include "vtkLight.h"
 #include "vtkLightCollection.h"
-#include "vtkNew.h"
 #include "vtkRenderPassCollection.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
 #include "vtkSequencePass.h"
 #include "vtkShadowMapBakerPass.h"
 #include "vtkShadowMapPass.h"
-#include "vtkShadowPass.h"
-#include "vtkShadowScenes.h"
-#include "vtkShadowTechniques.h"
-#include "vtkSmartPointer.h"
-#include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <string>
-#include <vector>
 
 namespace
 {
 constexpr int Resolution = 1024;
-
-/** A scene in its own window, drawn in one way. */
-struct Contestant
-{
-  std::string Name;
-  vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkRenderWindow> Window;
-  vtkNew<vtkLight> Light;
-  std::vector<double> Camera; // milliseconds
-  std::vector<double> Moving;
-
-  Contestant(const std::string& name, const std::string& scene, int size, vtkRenderPass* pass)
-    : Name(name)
-  {
-    vtkShadowScenes::Build(scene, this->Renderer);
-    auto* area = vtkLight::SafeDownCast(this->Renderer->GetLights()->GetItemAsObject(0));
-    this->Light->SetPosition(area->GetPosition());
-    this->Light->SetFocalPoint(area->GetFocalPoint());
-    this->Light->PositionalOn();
-    this->Light->SetConeAngle(40.0);
-    this->Renderer->RemoveAllLights();
-    this->Renderer->AddLight(this->Light);
-    this->Window->SetOffScreenRendering(1);
-    this->Window->SetMultiSamples(0);
-    this->Window->SetSize(size, size);
-    this->Window->AddRenderer(this->Renderer);
-    this->Renderer->SetPass(pass);
-  }
-
-  double Frame()
-  {
-    const auto start = std::chrono::steady_clock::now();
-    this->Window->Render();
-    this->Window->WaitForCompletion();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-      .count();
-  }
-
-  std::vector<unsigned char> Picture()
-  {
-    vtkNew<vtkUnsignedCharArray> pixels;
-    const int* size = this->Window->GetSize();
-    this->Window->Render();
-    this->Window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
-    return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
-  }
-};
 
 vtkSmartPointer<vtkRenderPass> MakeVTKPass()
 {
@@ -94,19 +35,6 @@ vtkSmartPointer<vtkRenderPass> MakeVTKPass()
   vtkNew<vtkCameraPass> camera;
   camera->SetDelegatePass(sequence);
   return camera.Get();
-}
-
-vtkSmartPointer<vtkRenderPass> MakePass(const char* technique, const char* key, int value)
-{
-  auto pass = vtk::TakeSmartPointer(vtkShadowTechniques::Create(technique));
-  pass->SetParameter(key, std::to_string(value));
-  return pass;
-}
-
-double Median(std::vector<double> values)
-{
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
 }
 
 double RMSE(const std::vector<unsigned char>& a, const std::vector<unsigned char>& b)
@@ -124,11 +52,16 @@ void Run(const std::string& scene, int size, int frames)
 {
   Contestant none("no shadows", scene, size, nullptr);
   const auto vtkPass = MakeVTKPass();
-  const auto ourPass = MakePass("map-hard", "resolution", Resolution);
-  const auto referencePass = MakePass("ray-traced", "samples", 1);
+  const auto ourPass =
+    MakePass("map-hard", { { "resolution", std::to_string(Resolution) } });
+  const auto referencePass = MakePass("ray-traced", { { "samples", "1" } });
   Contestant vtkOwn("vtkShadowMapPass", scene, size, vtkPass);
   Contestant ours("map-hard", scene, size, ourPass);
   Contestant reference("ray-traced", scene, size, referencePass);
+  for (Contestant* contestant : { &none, &vtkOwn, &ours, &reference })
+  {
+    contestant->UseSpot(40.0);
+  }
   Contestant* const timed[] = { &none, &vtkOwn, &ours };
 
   const auto truth = reference.Picture();
@@ -142,13 +75,8 @@ void Run(const std::string& scene, int size, int frames)
   {
     for (Contestant* contestant : timed)
     {
-      contestant->Renderer->GetActiveCamera()->Azimuth(i % 2 ? 1.0 : -1.0);
-      contestant->Renderer->ResetCameraClippingRange();
-      const double camera = contestant->Frame();
-      double position[3];
-      contestant->Light->GetPosition(position);
-      contestant->Light->SetPosition(position[0] + (i % 2 ? 0.01 : -0.01), position[1], position[2]);
-      const double moving = contestant->Frame();
+      const double camera = contestant->MoveCamera(i);
+      const double moving = contestant->MoveLight(i);
       if (i >= 0)
       {
         contestant->Camera.push_back(camera);

@@ -202,7 +202,9 @@ SHADOW_TEST(ClosedForm, TexturedRectangle, Each)
   }
   ShadowTest::CheckAtLeast(static_cast<double>(pixels), 5000.0, "pixels");
   // Half of the samples for each channel: 0.5 * 128^-0.75 = 0.013 in the penumbra, of a share of a
-  // sixth, and the texel.
-  ShadowTest::CheckAtMost(std::sqrt(sum[0] / static_cast<double>(pixels)), 0.006, "red: RMSE");
-  ShadowTest::CheckAtMost(std::sqrt(sum[1] / static_cast<double>(pixels)), 0.006, "blue: RMSE");
+  // sixth, and the texel. A technique that takes the light for evenly bright is off by half at most.
+  const bool exact = description.LightShapes[5] == vtkShadowShapeSupport::Exact;
+  const double bound = exact ? 0.006 : 0.5 * std::sqrt(1.0 / 6.0);
+  ShadowTest::CheckAtMost(std::sqrt(sum[0] / static_cast<double>(pixels)), bound, "red: RMSE");
+  ShadowTest::CheckAtMost(std::sqrt(sum[1] / static_cast<double>(pixels)), bound, "blue: RMSE");
 }

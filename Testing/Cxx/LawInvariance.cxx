@@ -29,11 +29,16 @@ std::vector<LightKind> GetKinds(const std::string& technique)
   return kinds;
 }
 
-/** The directional light's disk has no axes that turn with it, so it is a point here. */
+/**
+ * The directional light's disk has no axes that turn with it, so it is a point here. A step of a
+ * pattern that the map's texels shift is to be less than a pixel may differ by: 1/15 of a kernel, a
+ * few samples of 64. What a filter of constant width finds at a contact depends on whether the map has
+ * the floor: a narrow one.
+ */
 Visibility Show(const std::string& technique, LightKind kind, const Placement& place)
 {
   return RenderVisibility(
-    technique, {},
+    technique, { { "kernel", "15" }, { "samples", "64" }, { "width", "0.05" } },
     [kind](ShadowStage& stage)
     {
       stage.AddThings();

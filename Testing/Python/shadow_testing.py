@@ -28,6 +28,10 @@ def describe(technique):
     return json.loads(vss.vtkShadowTechniques.Describe(technique))
 
 
+def has_parameter(technique, name):
+    return any(parameter["name"] == name for parameter in describe(technique)["parameters"])
+
+
 def create(technique, **parameters):
     shadows = vss.vtkShadowTechniques.Create(technique)
     for name, value in parameters.items():

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from shadow_testing import Scene, TestCase, create, describe, main, receivers, statistics, \
+from shadow_testing import Scene, TestCase, create, describe, has_parameter, main, receivers, statistics, \
     technique_names, visibility
 
 
@@ -57,6 +57,8 @@ class Pictures(TestCase):
         for name in technique_names():
             scene = Scene("blocker")
             shadows = create(name)
+            if has_parameter(name, "width"):
+                shadows.SetParameter("width", "0.7")  # that of this scene
             scene.render(shadows)
             seen = visibility(shadows)
             penumbra = np.mean((seen > 0.02) & (seen < 0.98))

@@ -8,8 +8,8 @@ uniform sampler2DArray shadowReceivers;
 uniform sampler2DArray shadowBuffer;
 uniform ivec2 shadowOrigin;
 uniform int shadowLights;
-uniform int shadowView; // 0 visibility, 1 penumbra, 2 cost
-uniform float shadowCostScale;
+uniform int shadowView; // 0 visibility, 1 penumbra, 2 a quantity, such as the cost
+uniform float shadowScale; // of the quantity: its white is 1
 
 void main()
 {
@@ -31,7 +31,7 @@ void main()
   }
   else if (shadowView == 2)
   {
-    color = vec3(most * shadowCostScale);
+    color = vec3(most * shadowScale);
   }
   gl_FragData[0] = vec4(receiver ? color : vec3(0.25, 0.2, 0.3), 1.0);
 }

@@ -31,8 +31,8 @@ void main()
       visibility = shadowVisibility(shadowLight, receiverVC.xyz, normalVC);
     }
   }
-#ifdef SHADOW_OUTPUT_COST
-  gl_FragData[0] = vec4(shadowCost);
+#ifdef SHADOW_QUANTITY
+  gl_FragData[0] = vec4(SHADOW_QUANTITY);
 #elif defined(SHADOW_OUTPUT_CHANGE)
   gl_FragData[0] = vec4(vec3(visibility) - 1.0, 0.0);
 #else

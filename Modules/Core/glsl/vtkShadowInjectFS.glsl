@@ -23,7 +23,6 @@ const bool shadowWritesReceivers = true;
 
 #ifdef SHADOW_BUFFER
 uniform bool shadowTranslucent; // this prop is not in the receivers' buffer
-uniform ivec2 shadowOrigin;     // of the viewport
 uniform sampler2DArray shadowReceivers;
 uniform sampler2DArray shadowBuffer;
 
@@ -69,8 +68,15 @@ SHADOW_VISIBILITY shadowFactor(int light, vec3 positionVC, vec3 normalVC, float 
   }
 #else
   shadowSelf = shadowCasts;
-  visibility = shadowVisibility(light, positionVC, normalVC);
-  visibility = shadowFacesAway(light, positionVC, normalVC) ? SHADOW_VISIBILITY(0.0) : visibility;
+  // A branch, so that loops within end at once: software rasterizers too run them no further.
+  if (shadowFacesAway(light, positionVC, normalVC))
+  {
+    visibility = SHADOW_VISIBILITY(0.0);
+  }
+  else
+  {
+    visibility = shadowVisibility(light, positionVC, normalVC);
+  }
 #endif
   return 1.0 - shadowAttenuation[light] * (1.0 - visibility);
 }

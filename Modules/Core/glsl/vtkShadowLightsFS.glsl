@@ -4,6 +4,14 @@
 // SHADOW_LIGHTS is their number. SHADOW_VISIBILITY is float, or vec3 where a light is textured.
 // SHADOW_HARD is defined where a light counts as its centre.
 
+// Where the viewport begins in what is drawn into; screen-space buffers hold it alone.
+#ifdef SHADOW_INJECTED
+uniform ivec2 shadowOrigin;
+#else
+const ivec2 shadowOrigin = ivec2(0);
+#endif
+#define SHADOW_PIXEL (ivec2(gl_FragCoord.xy) - shadowOrigin)
+
 uniform vec4 shadowLightPlaceVC[SHADOW_LIGHTS]; // position, w 1; or direction to it, w 0
 uniform vec4 shadowLightUVC[SHADOW_LIGHTS];     // half axis; w: radius of a sphere, else 0
 uniform vec4 shadowLightVVC[SHADOW_LIGHTS];     // half axis; w: 1 for a rectangle, else 0

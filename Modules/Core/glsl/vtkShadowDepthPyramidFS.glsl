@@ -1,0 +1,32 @@
+//VTK::System::Dec
+
+// One level of a depth pyramid, from the level before; or, with SHADOW_FIRST_LEVEL, from the maps: see
+// vtkShadowDepthPyramid.
+
+//VTK::Output::Dec
+
+uniform sampler2DArray shadowSource; // the maps, or the texture that is drawn into, at another level
+uniform int shadowLayer;
+uniform int shadowSourceLevel;
+
+vec2 shadowFetch(ivec2 texel)
+{
+#ifdef SHADOW_FIRST_LEVEL
+  // Beyond the border of a map whose side is no power of two nothing is asked for.
+  ivec2 last = textureSize(shadowSource, 0).xy - 1;
+  return vec2(texelFetch(shadowSource, ivec3(min(texel, last), shadowLayer), 0).r);
+#else
+  return texelFetch(shadowSource, ivec3(texel, shadowLayer), shadowSourceLevel).rg;
+#endif
+}
+
+void main()
+{
+  ivec2 from = 2 * ivec2(gl_FragCoord.xy);
+  vec2 a = shadowFetch(from);
+  vec2 b = shadowFetch(from + ivec2(1, 0));
+  vec2 c = shadowFetch(from + ivec2(0, 1));
+  vec2 d = shadowFetch(from + ivec2(1, 1));
+  gl_FragData[0] =
+    vec4(min(min(a.x, b.x), min(c.x, d.x)), max(max(a.y, b.y), max(c.y, d.y)), 0.0, 1.0);
+}

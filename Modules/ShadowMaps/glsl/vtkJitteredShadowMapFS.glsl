@@ -1,0 +1,7 @@
+// map-jitter: see vtkJitteredShadowMapPass.
+
+float shadowFilter(int view, shadowKernel kernel)
+{
+  float delta = shadowAssumedDelta(kernel);
+  return shadowJitteredAverage(kernel, delta, shadowFindConstant(view, kernel, delta));
+}

@@ -1,0 +1,8 @@
+// map-pcf: see vtkPercentageCloserFilteringPass.
+
+float shadowFilter(int view, shadowKernel kernel)
+{
+  float delta = shadowAssumedDelta(kernel);
+  return shadowAverage(
+    kernel, delta, shadowFindConstant(view, kernel, delta), shadowPatternCount);
+}

@@ -1,0 +1,25 @@
+//VTK::System::Dec
+
+// Depth layers of the casters for midpoint maps: which side of a face they show; with SHADOW_SECOND
+// the second layer, and whether its faces show the other side than the first's.
+
+//VTK::Output::Dec
+
+#ifdef SHADOW_SECOND
+uniform sampler2DArray shadowFirstDepth;
+uniform sampler2DArray shadowFirstSide;
+#endif
+
+void main()
+{
+  float side = gl_FrontFacing ? 1.0 : 0.0;
+#ifdef SHADOW_SECOND
+  ivec3 texel = ivec3(ivec2(gl_FragCoord.xy), 0);
+  if (gl_FragCoord.z <= texelFetch(shadowFirstDepth, texel, 0).r)
+  {
+    discard;
+  }
+  side = abs(side - texelFetch(shadowFirstSide, texel, 0).r);
+#endif
+  gl_FragData[0] = vec4(side);
+}

@@ -1,0 +1,160 @@
+#include "vtkBlurredShadowMapPass.h"
+
+#include "vtkBlurredShadowMapFS.h"
+#include "vtkCamera.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkShadowFrame.h"
+#include "vtkShadowGL.h"
+#include "vtkShadowMapPattern.h"
+#include "vtkShadowMaps.h"
+#include "vtkVisibilityBuffer.h"
+#include "vtk_glew.h"
+
+#include <glm/trigonometric.hpp>
+
+#include <cmath>
+
+vtkStandardNewMacro(vtkBlurredShadowMapPass);
+
+//------------------------------------------------------------------------------
+vtkBlurredShadowMapPass::vtkBlurredShadowMapPass()
+{
+  for (auto& mask : this->Masks)
+  {
+    mask.reset(new vtkShadowTexture);
+  }
+  this->SetTechnique("map-blur");
+}
+
+//------------------------------------------------------------------------------
+vtkBlurredShadowMapPass::~vtkBlurredShadowMapPass()
+{
+  this->Detach();
+}
+
+//------------------------------------------------------------------------------
+bool vtkBlurredShadowMapPass::UpdateLightData(vtkShadowFrame& frame)
+{
+  if (!this->vtkFilteredShadowMapPass::UpdateLightData(frame))
+  {
+    return false;
+  }
+  if (this->Hard)
+  {
+    return true;
+  }
+  const vtkMTimeType time = this->GetParameterTime();
+  if (this->Filter->IsStale(time))
+  {
+    // The mask is smooth over the distance of two points of the blur.
+    this->Filter->SetGrid(frame.Window, time, 3, 1.0 / 7.0);
+  }
+  for (auto& mask : this->Masks)
+  {
+    if (!mask->Allocate(
+          frame.Window, vtkShadowTexture::Format::Float1, frame.Size[0], frame.Size[1], 1))
+    {
+      this->ErrorOnce("no memory for masks of the picture's size; drawn without shadows.");
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBlurredShadowMapPass::GetKernelDefinitions()
+{
+  // The blur knows the share of the light above the horizon exactly; a mask would spread it.
+  return this->GetText("blur") == "aware" ? "#define SHADOW_HORIZON_LATER\n" : "";
+}
+
+//------------------------------------------------------------------------------
+void vtkBlurredShadowMapPass::FillVisibility(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer)
+{
+  if (this->Hard || !buffer.GetQuantity().empty())
+  {
+    this->Superclass::FillVisibility(frame, buffer); // what is told of the mask
+    return;
+  }
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  for (int i = 0; i < static_cast<int>(frame.Lights.size()); ++i)
+  {
+    const bool point = frame.Lights[i].IsPoint();
+    {
+      vtkShadowFramebuffer::Scope target(frame.Window, buffer.GetFramebuffer(),
+        point ? &buffer.GetTarget() : this->Masks[0].get(), nullptr, point ? i : 0);
+      this->DrawEvaluation(frame, buffer, i);
+    }
+    if (point)
+    {
+      continue;
+    }
+    const float x[] = { 1.0f, 0.0f };
+    const float y[] = { 0.0f, 1.0f };
+    {
+      vtkShadowFramebuffer::Scope target(
+        frame.Window, buffer.GetFramebuffer(), this->Masks[1].get(), nullptr, 0);
+      this->Blur(frame, buffer, i, *this->Masks[0], x);
+    }
+    vtkShadowFramebuffer::Scope target(
+      frame.Window, buffer.GetFramebuffer(), &buffer.GetTarget(), nullptr, i);
+    this->Blur(frame, buffer, i, *this->Masks[1], y);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBlurredShadowMapPass::Blur(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int light,
+  vtkShadowTexture& mask, const float step[2])
+{
+  vtkCamera* camera = frame.Renderer->GetActiveCamera();
+  const bool parallel = camera->GetParallelProjection();
+  const double half = parallel ? camera->GetParallelScale()
+                               : std::tan(glm::radians(0.5 * camera->GetViewAngle()));
+  const int across =
+    !parallel && camera->GetUseHorizontalViewAngle() ? frame.Size[0] : frame.Size[1];
+  std::string source = vtkBlurredShadowMapFS;
+  vtkShaderProgram::Substitute(source, "//SHADOW::Declarations",
+    this->GetLightsGLSL() + (this->GetText("blur") == "plain" ? "#define SHADOW_PLAIN\n" : ""));
+
+  this->DrawQuad(source,
+    [&](vtkShaderProgram* program)
+    {
+      buffer.GetReceivers().Activate(frame.Window);
+      mask.Activate(frame.Window);
+      program->SetUniformi("shadowReceivers", buffer.GetReceivers().GetUnit());
+      program->SetUniformi("shadowMask", mask.GetUnit());
+      program->SetUniformi("shadowLight", light);
+      program->SetUniform2f("shadowStep", step);
+      program->SetUniformi("shadowParallel", parallel);
+      program->SetUniformf("shadowPixelSize", static_cast<float>(2.0 * half / across));
+      program->SetUniformf(
+        "shadowSeparation", static_cast<float>(this->Maps->GetSeparation(light)));
+      this->SetLightParameters(program);
+    });
+  mask.Deactivate(frame.Window);
+  buffer.GetReceivers().Deactivate(frame.Window);
+}
+
+//------------------------------------------------------------------------------
+void vtkBlurredShadowMapPass::ReleaseLightData(vtkRenderWindow* window)
+{
+  for (auto& mask : this->Masks)
+  {
+    mask->Release(vtkOpenGLRenderWindow::SafeDownCast(window));
+  }
+  this->Superclass::ReleaseLightData(window);
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::pair<std::string, std::size_t>> vtkBlurredShadowMapPass::GetLightDataBytes()
+{
+  auto bytes = this->Superclass::GetLightDataBytes();
+  bytes.emplace_back("masks", this->Masks[0]->GetBytes() + this->Masks[1]->GetBytes());
+  return bytes;
+}

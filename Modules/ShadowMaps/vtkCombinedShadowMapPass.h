@@ -1,0 +1,37 @@
+/**
+ * @class   vtkCombinedShadowMapPass
+ * @brief   Technique map-combined: the blockers of map-pcss, the jittered branching of map-jitter.
+ *
+ * Zapotocky, Soft shadows on GPU, 2007, section 4.4.3: 1. blocker search; 2. the penumbra's width;
+ * 3. jittered compares over that width, of which the outer ring decides whether the others are needed.
+ *
+ * Stages and textures: see vtkJitteredShadowMapPass and vtkPercentageCloserSoftShadowPass.
+ */
+
+#ifndef vtkCombinedShadowMapPass_h
+#define vtkCombinedShadowMapPass_h
+
+#include "vtkJitteredShadowMapPass.h"
+
+class VTKSOFTSHADOWSSHADOWMAPS_EXPORT vtkCombinedShadowMapPass : public vtkJitteredShadowMapPass
+{
+public:
+  static vtkCombinedShadowMapPass* New();
+  vtkTypeMacro(vtkCombinedShadowMapPass, vtkJitteredShadowMapPass);
+
+  std::string GetDebugViews() override;
+
+protected:
+  vtkCombinedShadowMapPass();
+  ~vtkCombinedShadowMapPass() override = default;
+
+  bool UpdateLightData(vtkShadowFrame& frame) override;
+  void SetMapSettings(vtkShadowMapSettings& settings) override;
+  std::string GetFilterGLSL() override;
+
+private:
+  vtkCombinedShadowMapPass(const vtkCombinedShadowMapPass&) = delete;
+  void operator=(const vtkCombinedShadowMapPass&) = delete;
+};
+
+#endif

@@ -1,0 +1,66 @@
+/**
+ * @class   vtkFilteredShadowMapPass
+ * @brief   Base of the techniques that soften one depth map a light: look-ups around each receiver.
+ *
+ * Where an area light's points lie over the map as a receiver sees them is the same for all of them
+ * (vtkShadowMapKernelFS.glsl); they differ in how wide they look, and in what pattern. Sizes follow
+ * from the light's true size in world units: neither frustum, nor scene's unit, nor map's resolution
+ * changes them. A frame whose lights have no size takes the path of map-hard.
+ *
+ * Leaving out (parameter "skipping"): a depth pyramid tells receivers that are surely lit or surely
+ * dark. They need no look-up; the picture is the same without.
+ *
+ * Stages: 1. a map and its pyramid where light or casters changed; 2. receivers; 3. the filter, once
+ * a pixel. Textures: see vtkShadowMaps; patterns, RGBA32F, a texel a point.
+ *
+ * Debug views: "map"; "penumbra-width", world units; where blockers are searched, "blocker-depth",
+ * their mean distance from the light, world units. White is GetStatistics()'s "debugViewWhite".
+ */
+
+#ifndef vtkFilteredShadowMapPass_h
+#define vtkFilteredShadowMapPass_h
+
+#include "vtkDepthMapShadowPass.h"
+
+class vtkShadowMapPattern;
+
+class VTKSOFTSHADOWSSHADOWMAPS_EXPORT vtkFilteredShadowMapPass : public vtkDepthMapShadowPass
+{
+public:
+  vtkTypeMacro(vtkFilteredShadowMapPass, vtkDepthMapShadowPass);
+
+  std::string GetDebugViews() override;
+
+protected:
+  vtkFilteredShadowMapPass();
+  ~vtkFilteredShadowMapPass() override;
+
+  /** The GLSL of the technique: what defines shadowFilter. */
+  virtual std::string GetFilterGLSL() = 0;
+  /** `#define`s that it wants of vtkShadowMapKernelFS.glsl. */
+  virtual std::string GetKernelDefinitions() { return ""; }
+
+  std::string FindUnsupported(vtkRenderWindow* window) override;
+  bool UpdateLightData(vtkShadowFrame& frame) override;
+  void SetMapSettings(vtkShadowMapSettings& settings) override;
+  std::string GetVisibilityGLSL() override;
+  bool PrefersForward() override { return true; }
+  std::string GetDebugQuantity(const std::string& view) override;
+  /** All look-ups in patterns, and those of the pyramid. */
+  double GetMaximumCost() override;
+  void ReleaseLightData(vtkRenderWindow* window) override;
+  std::vector<std::pair<std::string, std::size_t>> GetLightDataBytes() override;
+  void ActivateLightData(vtkShadowFrame& frame) override;
+  void DeactivateLightData(vtkShadowFrame& frame) override;
+  void SetVisibilityParameters(vtkShaderProgram* program) override;
+
+  bool Hard = false; // no light of this frame has a size
+  std::unique_ptr<vtkShadowMapPattern> Search; // of blockers
+  std::unique_ptr<vtkShadowMapPattern> Filter;
+
+private:
+  vtkFilteredShadowMapPass(const vtkFilteredShadowMapPass&) = delete;
+  void operator=(const vtkFilteredShadowMapPass&) = delete;
+};
+
+#endif

@@ -1,0 +1,177 @@
+#include "vtkJitteredShadowMapPass.h"
+
+#include "vtkJitteredShadowMapFS.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+#include "vtkShadowFrame.h"
+#include "vtkShadowGL.h"
+#include "vtkShadowMapConstantFS.h"
+#include "vtkShadowMapJitterFS.h"
+#include "vtkShadowMaps.h"
+#include "vtkShadowSampling.h"
+
+#include <glm/gtc/constants.hpp>
+
+#include <cmath>
+
+vtkStandardNewMacro(vtkJitteredShadowMapPass);
+
+namespace
+{
+/** Side of the tile of pixels whose points differ; a power of two. */
+constexpr int Tile = 16;
+
+/** A point of [0,1) turns around the disk (equations 3.1, 3.2), or around the square's border. */
+glm::dvec2 GoAround(double turn, bool square)
+{
+  if (!square)
+  {
+    const double angle = glm::two_pi<double>() * turn;
+    return { std::cos(angle), std::sin(angle) };
+  }
+  const double side = 4.0 * turn;
+  const double along = 2.0 * (side - std::floor(side)) - 1.0;
+  switch (static_cast<int>(side))
+  {
+    case 0:
+      return { 1.0, along };
+    case 1:
+      return { -along, 1.0 };
+    case 2:
+      return { -1.0, -along };
+    default:
+      return { along, -1.0 };
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkJitteredShadowMapPass::vtkJitteredShadowMapPass()
+  : Jitter(new vtkShadowTexture)
+{
+  this->SetTechnique("map-jitter");
+}
+
+//------------------------------------------------------------------------------
+vtkJitteredShadowMapPass::~vtkJitteredShadowMapPass()
+{
+  this->Detach();
+}
+
+//------------------------------------------------------------------------------
+void vtkJitteredShadowMapPass::UpdateJitter(vtkShadowFrame& frame)
+{
+  // As many sectors as rings, or up to four times as many.
+  const int wanted = this->GetInteger("samples");
+  int sectors = 2;
+  while (sectors * sectors < wanted)
+  {
+    sectors *= 2;
+  }
+  const int rings = (wanted + sectors - 1) / sectors;
+  const int samples = sectors * rings;
+  if (this->Jitter->GetHandle() && samples == this->Samples)
+  {
+    return;
+  }
+  std::uint32_t seed = 0;
+  const auto random = [&seed] { return vtkShadowSampling::Hash(seed++) / 4294967296.0; };
+  std::vector<glm::vec4> pairs(static_cast<std::size_t>(samples) * Tile * Tile);
+  for (int form = 0; form < 2; ++form)
+  {
+    for (int texel = 0; texel < Tile * Tile; ++texel)
+    {
+      for (int i = 0; i < samples; ++i)
+      {
+        // From the outer ring inwards.
+        const double turn = (i % sectors + random()) / sectors;
+        const double radius = std::sqrt((rings - 1 - i / sectors + random()) / rings);
+        const glm::vec2 point(radius * GoAround(turn, form == 1));
+        glm::vec4& pair = pairs[(form * samples / 2 + i / 2) * Tile * Tile + texel];
+        pair[i % 2 * 2] = point.x;
+        pair[i % 2 * 2 + 1] = point.y;
+      }
+    }
+  }
+  this->Jitter->UploadBuffer(frame.Window, pairs);
+  this->Samples = samples;
+  this->Estimates = sectors;
+}
+
+//------------------------------------------------------------------------------
+bool vtkJitteredShadowMapPass::UpdateLightData(vtkShadowFrame& frame)
+{
+  if (!this->Superclass::UpdateLightData(frame))
+  {
+    return false;
+  }
+  if (!this->Hard)
+  {
+    this->UpdateJitter(frame);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkJitteredShadowMapPass::SetMapSettings(vtkShadowMapSettings& settings)
+{
+  this->Superclass::SetMapSettings(settings);
+  settings.Separation = this->GetReal("width");
+}
+
+//------------------------------------------------------------------------------
+std::string vtkJitteredShadowMapPass::GetFilterGLSL()
+{
+  return std::string(vtkShadowMapConstantFS) + vtkShadowMapJitterFS + vtkJitteredShadowMapFS;
+}
+
+//------------------------------------------------------------------------------
+void vtkJitteredShadowMapPass::ActivateLightData(vtkShadowFrame& frame)
+{
+  this->Superclass::ActivateLightData(frame);
+  if (this->Jitter->GetHandle())
+  {
+    this->Jitter->Activate(frame.Window);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkJitteredShadowMapPass::DeactivateLightData(vtkShadowFrame& frame)
+{
+  this->Jitter->Deactivate(frame.Window);
+  this->Superclass::DeactivateLightData(frame);
+}
+
+//------------------------------------------------------------------------------
+void vtkJitteredShadowMapPass::SetVisibilityParameters(vtkShaderProgram* program)
+{
+  this->Superclass::SetVisibilityParameters(program);
+  if (!this->Hard)
+  {
+    program->SetUniformi("shadowJitter", this->Jitter->GetUnit());
+    program->SetUniformi("shadowJitterPairs", this->Samples / 2);
+    program->SetUniformi("shadowEstimatePairs", this->Estimates / 2);
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkJitteredShadowMapPass::GetMaximumCost()
+{
+  return this->Superclass::GetMaximumCost() + (this->Hard ? 0 : this->Samples);
+}
+
+//------------------------------------------------------------------------------
+void vtkJitteredShadowMapPass::ReleaseLightData(vtkRenderWindow* window)
+{
+  this->Jitter->Release(vtkOpenGLRenderWindow::SafeDownCast(window));
+  this->Superclass::ReleaseLightData(window);
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::pair<std::string, std::size_t>> vtkJitteredShadowMapPass::GetLightDataBytes()
+{
+  auto bytes = this->Superclass::GetLightDataBytes();
+  bytes.emplace_back("jitter", this->Jitter->GetBytes());
+  return bytes;
+}

@@ -1,0 +1,54 @@
+/**
+ * @class   vtkJitteredShadowMapPass
+ * @brief   Technique map-jitter: stratified compares that differ from pixel to pixel, and branching.
+ *
+ * Uralsky, Efficient soft-edged shadows using pixel shader branching, GPU Gems 2, 2005, chapter 17;
+ * Zapotocky, Soft shadows on GPU, 2007, section 3.4. Points are stratified in angle and radius
+ * (equations 3.1 and 3.2; over a square light, around and outwards the same way) and jittered, a set
+ * for each pixel of a tile, two points a texel. Those of the outer ring come first: only where they
+ * disagree are the others looked up. The kernel's width is that of map-pcf.
+ *
+ * Textures: see vtkFilteredShadowMapPass; jitter, RGBA32F buffer, 16 x 16 texels x samples (half of
+ * them for either form of light): a 3D texture by its layout, a buffer since that is twice as fast
+ * where textures are filtered in software.
+ */
+
+#ifndef vtkJitteredShadowMapPass_h
+#define vtkJitteredShadowMapPass_h
+
+#include "vtkFilteredShadowMapPass.h"
+
+class vtkShadowTexture;
+
+class VTKSOFTSHADOWSSHADOWMAPS_EXPORT vtkJitteredShadowMapPass : public vtkFilteredShadowMapPass
+{
+public:
+  static vtkJitteredShadowMapPass* New();
+  vtkTypeMacro(vtkJitteredShadowMapPass, vtkFilteredShadowMapPass);
+
+protected:
+  vtkJitteredShadowMapPass();
+  ~vtkJitteredShadowMapPass() override;
+
+  bool UpdateLightData(vtkShadowFrame& frame) override;
+  void SetMapSettings(vtkShadowMapSettings& settings) override;
+  std::string GetFilterGLSL() override;
+  double GetMaximumCost() override;
+  void ReleaseLightData(vtkRenderWindow* window) override;
+  std::vector<std::pair<std::string, std::size_t>> GetLightDataBytes() override;
+  void ActivateLightData(vtkShadowFrame& frame) override;
+  void DeactivateLightData(vtkShadowFrame& frame) override;
+  void SetVisibilityParameters(vtkShaderProgram* program) override;
+
+private:
+  vtkJitteredShadowMapPass(const vtkJitteredShadowMapPass&) = delete;
+  void operator=(const vtkJitteredShadowMapPass&) = delete;
+
+  void UpdateJitter(vtkShadowFrame& frame);
+
+  std::unique_ptr<vtkShadowTexture> Jitter;
+  int Samples = 0;
+  int Estimates = 0; // of the outer ring
+};
+
+#endif

@@ -1,0 +1,39 @@
+/**
+ * @class   vtkPercentageCloserSoftShadowPass
+ * @brief   Technique map-pcss: penumbrae as wide as the mean blocker makes them.
+ *
+ * Fernando, Percentage-closer soft shadows, SIGGRAPH 2005 sketches; Zapotocky, Soft shadows on GPU,
+ * 2007, section 3.5. Three steps a receiver: 1. blocker search over the light's footprint at the
+ * nearest depth that the map has there; 2. the penumbra's width from the mean blocker; 3. a mean of
+ * compares over the light's footprint past that blocker, in the light's own form and two axes.
+ *
+ * Stages and textures: see vtkFilteredShadowMapPass.
+ */
+
+#ifndef vtkPercentageCloserSoftShadowPass_h
+#define vtkPercentageCloserSoftShadowPass_h
+
+#include "vtkFilteredShadowMapPass.h"
+
+class VTKSOFTSHADOWSSHADOWMAPS_EXPORT vtkPercentageCloserSoftShadowPass
+  : public vtkFilteredShadowMapPass
+{
+public:
+  static vtkPercentageCloserSoftShadowPass* New();
+  vtkTypeMacro(vtkPercentageCloserSoftShadowPass, vtkFilteredShadowMapPass);
+
+  std::string GetDebugViews() override;
+
+protected:
+  vtkPercentageCloserSoftShadowPass();
+  ~vtkPercentageCloserSoftShadowPass() override = default;
+
+  bool UpdateLightData(vtkShadowFrame& frame) override;
+  std::string GetFilterGLSL() override;
+
+private:
+  vtkPercentageCloserSoftShadowPass(const vtkPercentageCloserSoftShadowPass&) = delete;
+  void operator=(const vtkPercentageCloserSoftShadowPass&) = delete;
+};
+
+#endif

@@ -1,0 +1,159 @@
+// The declarations of the techniques that soften one map a light.
+
+#include "vtkBlurredShadowMapPass.h"
+#include "vtkCombinedShadowMapPass.h"
+#include "vtkJitteredShadowMapPass.h"
+#include "vtkPercentageCloserFilteringPass.h"
+#include "vtkPercentageCloserSoftShadowPass.h"
+#include "vtkShadowMapParameters.h"
+#include "vtkShadowTechnique.h"
+
+namespace
+{
+using namespace vtkShadowMapParameters;
+using Support = vtkShadowShapeSupport;
+using Type = vtkShadowParameter::Type;
+
+vtkShadowParameter Skipping()
+{
+  return { "skipping", Type::Boolean, "on", 0, 0, {}, "",
+    "Leave out look-ups where the depth pyramid tells that a receiver is surely lit or dark; the "
+    "picture is the same without",
+    {} };
+}
+
+vtkShadowParameter Width()
+{
+  return { "width", Type::Real, "0.1", 0, 4, {}, "of the casters' extent",
+    "Assumed distance from blocker to receiver, as a share of the diagonal of the box around the "
+    "casters: penumbrae are as wide everywhere as that makes them",
+    {} };
+}
+
+vtkShadowParameter Search()
+{
+  return { "search", Type::Integer, "16", 1, 256, {}, "", "Points at which blockers are searched",
+    { "9", "16", "16", "64" } };
+}
+
+vtkShadowParameter Samples(const char* value, std::vector<std::string> presets)
+{
+  return { "samples", Type::Integer, value, 1, 1024, {}, "", "Compares of a receiver in a penumbra",
+    std::move(presets) };
+}
+
+vtkShadowParameter JitteredSamples(const char* value, std::vector<std::string> presets)
+{
+  return { "samples", Type::Integer, value, 4, 1024, {}, "",
+    "Compares of a receiver in a penumbra, rounded up to whole rings; those of the outer ring decide "
+    "whether it is in one",
+    std::move(presets) };
+}
+
+vtkShadowTechnique Make(const char* name, const char* title, const char* className)
+{
+  vtkShadowTechnique t;
+  t.Name = name;
+  t.Title = title;
+  t.ClassName = className;
+  t.LightShapes = { Support::Exact, Support::Approximate, Support::Approximate,
+    Support::Approximate, Support::Approximate, Support::Approximate };
+  t.Parameters = { AutomaticResolution(), Filter("bilinear"), Midpoint(), Skipping() };
+  t.Resources = { "depth map, 4 bytes a texel, resolution^2 each light (up to six where the light is "
+                  "among the casters); its pyramid, about 3 bytes a texel where resolution is a "
+                  "power of two",
+    "with midpoint=on, 16 bytes a texel of one map",
+    "receivers 16 bytes, depth 4 bytes, visibility 4 bytes a light, each a pixel" };
+  t.Limits = { "One map from the light's centre: what only other points of the light see behind a "
+               "caster's edge is missing.",
+    "A textured light counts as evenly bright.",
+    "A light among its casters: what it casts further than 31 degrees beyond a cube's face is drawn "
+    "in." };
+  return t;
+}
+
+constexpr const char* Constant =
+  "Penumbrae are as wide at contacts as far from them, and do not follow the blocker.";
+constexpr const char* OneBlocker =
+  "Blockers at several depths over a receiver count as one in their middle.";
+constexpr const char* Forward = "Translucent surfaces receive only with evaluation=forward.";
+
+vtkShadowTechnique Filtering()
+{
+  auto t = Make("map-pcf", "Percentage-closer filtering", "vtkPercentageCloserFilteringPass");
+  t.Paper = "Reeves, Salesin and Cook, Rendering antialiased shadows with depth maps, SIGGRAPH 1987; "
+            "Zapotocky, Soft shadows on GPU, 2007, section 3.2";
+  t.New = [] { return static_cast<vtkShadowPass*>(vtkPercentageCloserFilteringPass::New()); };
+  t.Parameters.push_back({ "kernel", Type::Integer, "7", 1, 31, {}, "",
+    "Compares along either side of the kernel", { "3", "5", "7", "15" } });
+  t.Parameters.push_back(Width());
+  t.Limits.insert(t.Limits.end(), { Constant, Forward });
+  return t;
+}
+
+vtkShadowTechnique Blurred()
+{
+  auto t = Make("map-blur", "Blurred shadow mask", "vtkBlurredShadowMapPass");
+  t.Paper = "Shastry, Soft-edged shadows, 2005; Zapotocky, Soft shadows on GPU, 2007, section 3.3";
+  t.New = [] { return static_cast<vtkShadowPass*>(vtkBlurredShadowMapPass::New()); };
+  t.Parameters.push_back({ "blur", Type::Choice, "aware", 0, 0, { "aware", "plain" }, "",
+    "Aware of depth and normal, as wide as the light's footprint; or plain, 15 pixels wide, with the "
+    "thesis's halo",
+    {} });
+  t.Parameters.push_back(Width());
+  t.Resources.push_back("two masks, 4 bytes a pixel");
+  t.Limits.insert(t.Limits.end(),
+    { Constant, "What is not in the picture is not blurred into it: penumbrae change at its border.",
+      "Translucent surfaces receive only from lights without size: the blur is in screen space." });
+  return t;
+}
+
+vtkShadowTechnique Jittered()
+{
+  auto t = Make("map-jitter", "Jittered filtering with branching", "vtkJitteredShadowMapPass");
+  t.Paper = "Uralsky, Efficient soft-edged shadows using pixel shader branching, GPU Gems 2, 2005, "
+            "chapter 17; Zapotocky, Soft shadows on GPU, 2007, section 3.4";
+  t.New = [] { return static_cast<vtkShadowPass*>(vtkJitteredShadowMapPass::New()); };
+  t.Parameters.push_back(JitteredSamples("64", { "16", "32", "64", "256" }));
+  t.Parameters.push_back(Width());
+  t.Resources.push_back("jittered points, 16 bytes, 256 x samples");
+  t.Limits.insert(t.Limits.end(),
+    { Constant, "Noise instead of steps; a thin shadow that the outer ring misses is missed.",
+      Forward });
+  return t;
+}
+
+vtkShadowTechnique SoftShadows()
+{
+  auto t = Make(
+    "map-pcss", "Percentage-closer soft shadows", "vtkPercentageCloserSoftShadowPass");
+  t.Paper = "Fernando, Percentage-closer soft shadows, SIGGRAPH 2005 sketches; Zapotocky, Soft "
+            "shadows on GPU, 2007, section 3.5";
+  t.New = [] { return static_cast<vtkShadowPass*>(vtkPercentageCloserSoftShadowPass::New()); };
+  t.Parameters.push_back(Search());
+  t.Parameters.push_back(Samples("64", { "16", "32", "64", "256" }));
+  t.Limits.insert(t.Limits.end(), { OneBlocker, Forward });
+  return t;
+}
+
+vtkShadowTechnique Combined()
+{
+  auto t = Make("map-combined", "Combined: blocker search and jittered filtering",
+    "vtkCombinedShadowMapPass");
+  t.Paper = "Zapotocky, Soft shadows on GPU, 2007, section 4.4.3";
+  t.New = [] { return static_cast<vtkShadowPass*>(vtkCombinedShadowMapPass::New()); };
+  t.Parameters.push_back(Search());
+  t.Parameters.push_back(JitteredSamples("32", { "16", "32", "32", "256" }));
+  t.Resources.push_back("jittered points, 16 bytes, 256 x samples");
+  t.Limits.insert(t.Limits.end(),
+    { OneBlocker, "Noise instead of steps; a thin shadow that the outer ring misses is missed.",
+      Forward });
+  return t;
+}
+
+const vtkShadowTechniqueRegistration filtering(Filtering());
+const vtkShadowTechniqueRegistration blurred(Blurred());
+const vtkShadowTechniqueRegistration jittered(Jittered());
+const vtkShadowTechniqueRegistration softShadows(SoftShadows());
+const vtkShadowTechniqueRegistration combined(Combined());
+}

@@ -1,0 +1,41 @@
+// The parameters that all techniques of the family share: each is declared here once.
+
+#ifndef vtkShadowMapParameters_h
+#define vtkShadowMapParameters_h
+
+#include "vtkShadowTechnique.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vtkShadowMapParameters
+{
+inline vtkShadowParameter Resolution(const char* value, std::vector<std::string> presets)
+{
+  return { "resolution", vtkShadowParameter::Type::Integer, value, 0, 16384, {}, "texels",
+    "Side of a depth map; 0: the power of two next to the picture's longer side, 512 to 4096",
+    std::move(presets) };
+}
+
+inline vtkShadowParameter AutomaticResolution()
+{
+  return Resolution("0", { "512", "1024", "0", "4096" });
+}
+
+inline vtkShadowParameter Filter(const char* value)
+{
+  return { "filter", vtkShadowParameter::Type::Choice, value, 0, 0, { "nearest", "bilinear" }, "",
+    "Compare with the nearest texel, or interpolate the compares of the four nearest", {} };
+}
+
+inline vtkShadowParameter Midpoint()
+{
+  return { "midpoint", vtkShadowParameter::Type::Boolean, "off", 0, 0, {}, "",
+    "Compare with the middle of the casters' first two layers, where they are a body's two sides, "
+    "instead of with the first layer",
+    {} };
+}
+}
+
+#endif

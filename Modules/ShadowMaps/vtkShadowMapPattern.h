@@ -1,0 +1,31 @@
+// A pattern of points over a light, in its half axes: of the disk, and of the square [-1,1]^2.
+//
+//   points  RGBA32F buffer  a texel a point: xy of the disk, zw of the square
+
+#ifndef vtkShadowMapPattern_h
+#define vtkShadowMapPattern_h
+
+#include "vtkShadowGL.h"                    // For textures
+#include "vtkSoftShadowsShadowMapsModule.h" // For export macro
+#include "vtkType.h"                        // For vtkMTimeType
+
+class VTKSOFTSHADOWSSHADOWMAPS_EXPORT vtkShadowMapPattern
+{
+public:
+  /** Whether it was made at another time than this one of parameters, or not yet. */
+  bool IsStale(vtkMTimeType time) const { return !this->Points.GetHandle() || time != this->Time; }
+  /** n x n cell centres of the square; for the disk, of the square that is as large. */
+  void SetGrid(vtkOpenGLRenderWindow* window, vtkMTimeType time, int n, double scale = 1.0);
+  /** Sobol's first points over disk and square (see vtkShadowSampling), after the centre if wanted. */
+  void SetSobol(vtkOpenGLRenderWindow* window, vtkMTimeType time, int count, bool centre);
+
+  vtkShadowTexture& GetTexture() { return this->Points; }
+  int GetCount() const { return this->Count; }
+
+private:
+  vtkShadowTexture Points;
+  int Count = 0;
+  vtkMTimeType Time = 0;
+};
+
+#endif
