@@ -428,9 +428,9 @@ bool vtkLightFrusta::AddPerspectiveView(const glm::dvec3& position, const glm::d
   {
     return false;
   }
-  const bool cut =
-    std::max({ -range.Low.x, -range.Low.y, range.High.x, range.High.y }) >= limit;
-  const bool clipped = cut || whole.ReachesOver(range);
+  const std::array<bool, 4> cut = { -range.Low.x >= limit, -range.Low.y >= limit,
+    range.High.x >= limit, range.High.y >= limit };
+  const bool clipped = std::count(cut.begin(), cut.end(), true) > 0 || whole.ReachesOver(range);
   Widen(range, this->Border);
   if (face && !this->Neighbours)
   {

@@ -15,6 +15,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <vector>
 
 class vtkShadowCasters;
@@ -29,8 +30,11 @@ struct vtkLightView
   glm::dmat4 WCToClip{ 1.0 };
   /** Casters reach over its border: other faces go on there, a cone ends, or nothing is behind. */
   bool Clipped = false;
-  /** It ends at the cone, or at what a cube's face shows, where casters go on that matter. */
-  bool Cut = false;
+  /**
+   * Where it ends at the cone, or at what a cube's face shows, and casters go on that matter: at the
+   * low end of x, of y, at the high end of x, of y.
+   */
+  std::array<bool, 4> Cut{};
   /** One of the faces of a cube, which holds what lies within 45 degrees of its axis both ways. */
   bool Face = false;
   /** Where it looks from, in WC; for a directional light, the direction towards the light. */

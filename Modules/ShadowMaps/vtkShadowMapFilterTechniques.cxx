@@ -22,18 +22,18 @@ vtkShadowParameter Skipping()
     {} };
 }
 
-vtkShadowParameter Width()
+vtkShadowParameter Width(const char* value)
 {
-  return { "width", Type::Real, "0.1", 0, 4, {}, "of the casters' extent",
+  return { "width", Type::Real, value, 0, 4, {}, "of the casters' extent",
     "Assumed distance from blocker to receiver, as a share of the diagonal of the box around the "
     "casters: penumbrae are as wide everywhere as that makes them",
     {} };
 }
 
-vtkShadowParameter Search()
+vtkShadowParameter Search(const char* value)
 {
-  return { "search", Type::Integer, "16", 1, 256, {}, "", "Points at which blockers are searched",
-    { "9", "16", "16", "64" } };
+  return { "search", Type::Integer, value, 1, 256, {}, "", "Points at which blockers are searched",
+    { "9", "16", value, "64" } };
 }
 
 vtkShadowParameter Samples(const char* value, std::vector<std::string> presets)
@@ -50,7 +50,8 @@ vtkShadowParameter JitteredSamples(const char* value, std::vector<std::string> p
     std::move(presets) };
 }
 
-vtkShadowTechnique Make(const char* name, const char* title, const char* className)
+vtkShadowTechnique Make(
+  const char* name, const char* title, const char* className, const char* midpoint = "off")
 {
   vtkShadowTechnique t;
   t.Name = name;
@@ -58,7 +59,7 @@ vtkShadowTechnique Make(const char* name, const char* title, const char* classNa
   t.ClassName = className;
   t.LightShapes = { Support::Exact, Support::Approximate, Support::Approximate,
     Support::Approximate, Support::Approximate, Support::Approximate };
-  t.Parameters = { AutomaticResolution(), Filter("bilinear"), Midpoint(), Skipping() };
+  t.Parameters = { AutomaticResolution(), Filter("bilinear"), Midpoint(midpoint), Skipping() };
   t.Resources = { "depth map, 4 bytes a texel, resolution^2 each light (up to six where the light is "
                   "among the casters); its pyramid, about 3 bytes a texel where resolution is a "
                   "power of two",
@@ -86,7 +87,7 @@ vtkShadowTechnique Filtering()
   t.New = [] { return static_cast<vtkShadowPass*>(vtkPercentageCloserFilteringPass::New()); };
   t.Parameters.push_back({ "kernel", Type::Integer, "7", 1, 31, {}, "",
     "Compares along either side of the kernel", { "3", "5", "7", "15" } });
-  t.Parameters.push_back(Width());
+  t.Parameters.push_back(Width("0.15"));
   t.Limits.insert(t.Limits.end(), { Constant, Forward });
   return t;
 }
@@ -100,7 +101,7 @@ vtkShadowTechnique Blurred()
     "Aware of depth and normal, as wide as the light's footprint; or plain, 15 pixels wide, with the "
     "thesis's halo",
     {} });
-  t.Parameters.push_back(Width());
+  t.Parameters.push_back(Width("0.2"));
   t.Resources.push_back("two masks, 4 bytes a pixel");
   t.Limits.insert(t.Limits.end(),
     { Constant, "What is not in the picture is not blurred into it: penumbrae change at its border.",
@@ -115,7 +116,7 @@ vtkShadowTechnique Jittered()
             "chapter 17; Zapotocky, Soft shadows on GPU, 2007, section 3.4";
   t.New = [] { return static_cast<vtkShadowPass*>(vtkJitteredShadowMapPass::New()); };
   t.Parameters.push_back(JitteredSamples("64", { "16", "32", "64", "256" }));
-  t.Parameters.push_back(Width());
+  t.Parameters.push_back(Width("0.15"));
   t.Resources.push_back("jittered points, 16 bytes, 256 x samples");
   t.Limits.insert(t.Limits.end(),
     { Constant, "Noise instead of steps; a thin shadow that the outer ring misses is missed.",
@@ -125,12 +126,13 @@ vtkShadowTechnique Jittered()
 
 vtkShadowTechnique SoftShadows()
 {
-  auto t = Make(
-    "map-pcss", "Percentage-closer soft shadows", "vtkPercentageCloserSoftShadowPass");
+  // Midpoints are nearer to the silhouettes, which are what makes penumbrae, than lit sides are.
+  auto t = Make("map-pcss", "Percentage-closer soft shadows", "vtkPercentageCloserSoftShadowPass",
+    "on");
   t.Paper = "Fernando, Percentage-closer soft shadows, SIGGRAPH 2005 sketches; Zapotocky, Soft "
             "shadows on GPU, 2007, section 3.5";
   t.New = [] { return static_cast<vtkShadowPass*>(vtkPercentageCloserSoftShadowPass::New()); };
-  t.Parameters.push_back(Search());
+  t.Parameters.push_back(Search("25"));
   t.Parameters.push_back(Samples("64", { "16", "32", "64", "256" }));
   t.Limits.insert(t.Limits.end(), { OneBlocker, Forward });
   return t;
@@ -139,10 +141,10 @@ vtkShadowTechnique SoftShadows()
 vtkShadowTechnique Combined()
 {
   auto t = Make("map-combined", "Combined: blocker search and jittered filtering",
-    "vtkCombinedShadowMapPass");
+    "vtkCombinedShadowMapPass", "on");
   t.Paper = "Zapotocky, Soft shadows on GPU, 2007, section 4.4.3";
   t.New = [] { return static_cast<vtkShadowPass*>(vtkCombinedShadowMapPass::New()); };
-  t.Parameters.push_back(Search());
+  t.Parameters.push_back(Search("16"));
   t.Parameters.push_back(JitteredSamples("32", { "16", "32", "32", "256" }));
   t.Resources.push_back("jittered points, 16 bytes, 256 x samples");
   t.Limits.insert(t.Limits.end(),

@@ -29,9 +29,9 @@ inline vtkShadowParameter Filter(const char* value)
     "Compare with the nearest texel, or interpolate the compares of the four nearest", {} };
 }
 
-inline vtkShadowParameter Midpoint()
+inline vtkShadowParameter Midpoint(const char* value = "off")
 {
-  return { "midpoint", vtkShadowParameter::Type::Boolean, "off", 0, 0, {}, "",
+  return { "midpoint", vtkShadowParameter::Type::Boolean, value, 0, 0, {}, "",
     "Compare with the middle of the casters' first two layers, where they are a body's two sides, "
     "instead of with the first layer",
     {} };

@@ -29,7 +29,7 @@ constexpr int MostFewViews = 12;
 
 /** Vectors of a view: see vtkShadowMapViewsFS.glsl; and of one for neighbours. */
 constexpr int VectorsOfView = 7;
-constexpr int VectorsOfKernel = 4;
+constexpr int VectorsOfKernel = 5;
 
 /** A map's border that stays clear of casters, in texels: look-ups there find light. */
 constexpr double BorderTexels = 2.0;
@@ -400,13 +400,17 @@ void vtkShadowMaps::AddKernelVectors(const vtkShadowLight& light, const View& vi
   this->ViewVectors.emplace_back(
     glm::dvec4(glm::dot(u, x), glm::dot(u, y), glm::dot(v, x), glm::dot(v, y)) *
     glm::dvec4(scale, scale));
-  this->ViewVectors.emplace_back(glm::dvec4(
-    frustum.DepthScale, window, this->GetSeparation(view.Light)));
+  this->ViewVectors.emplace_back(glm::dvec4(frustum.DepthScale, window, 0.0));
   this->ViewVectors.emplace_back(
-    glm::dvec4(frustum.Cut ? 1 : 0, frustum.Face ? 1 : 0, sphere ? 1 : 0, 1.0 / reach));
+    glm::dvec4(frustum.Face ? 1 : 0, sphere ? 1 : 0, this->GetSeparation(view.Light), 1.0 / reach));
   const glm::dvec3 z = glm::cross(x, y); // along the axis: windows are right-handed with it
   this->ViewVectors.emplace_back(
     glm::dvec4(glm::dot(u, z), glm::dot(v, z), sphere ? radius : 0.0, 0.0));
+  // Look-ups end two texels before a border that is cut, and never at another.
+  const double border = 2.0 / this->Current.Resolution;
+  const auto& cut = frustum.Cut;
+  this->ViewVectors.emplace_back(glm::dvec4(cut[0] ? border : -1e6, cut[1] ? border : -1e6,
+    cut[2] ? 1.0 - border : 1e6, cut[3] ? 1.0 - border : 1e6));
 }
 
 //------------------------------------------------------------------------------
@@ -420,9 +424,12 @@ std::string vtkShadowMaps::GetGLSL() const
 {
   const bool clipped = std::any_of(
     this->Views.begin(), this->Views.end(), [](const View& v) { return v.Frustum.Clipped; });
+  const bool cut = std::any_of(this->Views.begin(), this->Views.end(), [](const View& v)
+    { return std::count(v.Frustum.Cut.begin(), v.Frustum.Cut.end(), true) > 0; });
   const int vectors = VectorsOfView + (this->Current.Neighbours ? VectorsOfKernel : 0);
   std::string source = "#define SHADOW_VIEW_VECTORS " + std::to_string(vectors) + "\n" +
-                       (clipped ? "#define SHADOW_CLIPPED_VIEWS\n" : "");
+                       (clipped ? "#define SHADOW_CLIPPED_VIEWS\n" : "") +
+                       (cut ? "#define SHADOW_CUT_VIEWS\n" : "");
   if (this->Few)
   {
     std::string first;

@@ -21,8 +21,8 @@ ROWS = [
     ("none", {}, 57.193),
     ("map-hard", {}, 89.251),
     ("map-hard", {"midpoint": "on"}, 88.770),
-    ("map-soft", {"samples": 64}, 99.549),
-    ("map-soft", {"samples": 64, "midpoint": "on"}, 99.416),
+    ("map-soft", {"samples": 64, "resolution": 1024}, 99.549),
+    ("map-soft", {"samples": 64, "resolution": 1024, "midpoint": "on"}, 99.416),
     ("map-pcf", {}, 90.699),
     ("map-pcf", {"midpoint": "on"}, 90.710),
     ("map-blur", {}, 90.699),
@@ -30,10 +30,10 @@ ROWS = [
     ("map-blur", {"blur": "plain"}, 90.699),
     ("map-jitter", {}, 93.925),
     ("map-jitter", {"midpoint": "on"}, 94.008),
-    ("map-pcss", {}, 94.994),
-    ("map-pcss", {"midpoint": "on"}, 95.756),
-    ("map-combined", {}, 94.560),
-    ("map-combined", {"midpoint": "on"}, 95.325),
+    ("map-pcss", {"midpoint": "off"}, 94.994),
+    ("map-pcss", {}, 95.756),
+    ("map-combined", {"midpoint": "off"}, 94.560),
+    ("map-combined", {}, 95.325),
 ]
 
 
@@ -51,9 +51,9 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--write", type=pathlib.Path, help="folder for pictures and differences")
     parser.add_argument("--light", type=float, nargs=3, default=(-5.2, -4.6, 5.2))
-    parser.add_argument("--side", type=float, default=1.6, help="of the square light")
-    parser.add_argument("--camera", type=float, nargs=3, default=(2.2, -6.4, 6.6))
-    parser.add_argument("--focus", type=float, nargs=3, default=(0.4, 0.5, 0.4))
+    parser.add_argument("--side", type=float, default=0.8, help="of the square light")
+    parser.add_argument("--camera", type=float, nargs=3, default=(2.5, -4.0, 6.5))
+    parser.add_argument("--focus", type=float, nargs=3, default=(1.2, 0.8, 0.0))
     arguments = parser.parse_args()
 
     renderer = vtkRenderer()

@@ -22,7 +22,8 @@ struct Accuracy
 {
   const char* Technique;
   int Samples;
-  double Cap; // of the RMSE, whatever the penumbra's share
+  double Cap;         // of the RMSE, whatever the penumbra's share
+  bool Exact = true;  // converges; else the cap is all
 };
 
 // A technique that converges to the truth gets rows here.
@@ -31,6 +32,9 @@ constexpr Accuracy Accuracies[] = {
   { "ray-traced", 1024, 0.003 },
   { "map-soft", 64, 0.03 },
   { "map-soft", 256, 0.015 },
+  // Blockers that are parallel to the light have one depth each, so that one map tells all.
+  { "map-pcss", 64, 0.02, false },
+  { "map-combined", 64, 0.02, false },
 };
 
 double Clamp(double value)
@@ -109,15 +113,19 @@ void CheckClosedForm(const std::string& technique, LightKind kind, ShadowStage& 
   bool declared = false;
   for (const Accuracy& accuracy : Accuracies)
   {
-    if (exact && technique == accuracy.Technique)
+    if ((exact || !accuracy.Exact) && technique == accuracy.Technique)
     {
       declared = true;
       const std::string samples = std::to_string(accuracy.Samples);
+      const double stratified = 0.5 * std::pow(accuracy.Samples, -0.75) * std::sqrt(share);
       const double bound =
-        std::min(accuracy.Cap, 0.5 * std::pow(accuracy.Samples, -0.75) * std::sqrt(share)) + slack;
+        slack + (accuracy.Exact ? std::min(accuracy.Cap, stratified) : accuracy.Cap);
       const Difference difference = Compare(measure({ { "samples", samples } }), truth, 0.1, use);
       ShadowTest::CheckAtMost(difference.RMSE, bound, samples + " samples: RMSE");
-      ShadowTest::CheckAtMost(std::abs(difference.Bias), 0.1 * bound, samples + " samples: bias");
+      if (accuracy.Exact)
+      {
+        ShadowTest::CheckAtMost(std::abs(difference.Bias), 0.1 * bound, samples + " samples: bias");
+      }
     }
   }
   if (!declared)

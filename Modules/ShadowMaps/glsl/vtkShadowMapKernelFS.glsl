@@ -13,9 +13,9 @@
 // his equations 4.1 to 4.3. A sphere is its disk that faces the receiver.
 //
 // A view's further vectors: 7: axisU, axisV, straight along the view; 8: depth times distance, lengths
-// of the window's sides at w = 1, separation that filters of constant width assume; 9: borders are cut,
-// face of a cube, sphere (each 0 or 1), window over texels of one look-up; 10: lengths of the half axes
-// along the view's axis, radius of a sphere.
+// of the window's sides at w = 1; 9: face of a cube, sphere (each 0 or 1), separation that filters of
+// constant width assume, window over texels of one look-up; 10: lengths of the half axes along the
+// view's axis, radius of a sphere; 11: low x, low y, high x, high y that look-ups have to keep within.
 //
 // Each technique defines `float shadowFilter(shadowKernel kernel)`.
 
@@ -37,7 +37,7 @@ struct shadowKernel
   vec3 horizon;   // height of the light's point (s, t) above the receiver's plane: x + s y + t z
   bool horizonCuts;
   bool square;    // (s, t) fill a square, else a disk
-  bool cut;       // the map ends where casters go on
+  vec4 bounds;    // of look-ups, where the map ends and casters go on
   vec2 scale;     // depth times distance; separation that filters of constant width assume
   bool positional;
 };
@@ -63,17 +63,17 @@ bool shadowFindKernel(int light, int view, vec3 positionVC, vec3 normalVC, out s
   kernel.w = max(w, 1e-30);
   kernel.positional = SHADOW_VIEW(view, 3).xyz != vec3(0.0);
   kernel.square = shadowLightVVC[light].w > 0.0;
-  kernel.cut = form.x > 0.5;
-  kernel.scale = measures.xw;
+  kernel.bounds = SHADOW_VIEW(view, 11);
+  kernel.scale = vec2(measures.x, form.z);
 
   vec3 towardsVC = kernel.positional ? placeVC - receiverVC.xyz : placeVC;
   vec2 tangent = -vec2(dot(windowX, towardsVC), dot(windowY, towardsVC)) / (measures.yz * kernel.w);
   vec4 along = SHADOW_VIEW(view, 10);
   float ray = sqrt(1.0 + dot(tangent, tangent));
-  vec2 alongUV = form.z > 0.5 ? -along.z * tangent / ray : along.xy;
-  float stretch = form.z / (1.0 + ray);
+  vec2 alongUV = form.y > 0.5 ? -along.z * tangent / ray : along.xy;
+  float stretch = form.y / (1.0 + ray);
   vec2 scaleLC = 1.0 / (measures.yz * measures.x);
-  vec2 seenLC = tangent * scaleLC * (1.0 - form.z);
+  vec2 seenLC = tangent * scaleLC * (1.0 - form.y);
   kernel.axisULC = axesLC.xy + stretch * tangent.x * tangent * axesLC.xw - alongUV.x * seenLC;
   kernel.axisVLC = axesLC.zw + stretch * tangent.y * tangent * axesLC.xw - alongUV.y * seenLC;
   kernel.tilt = kernel.positional ? alongUV / kernel.w : vec2(0.0);
@@ -85,11 +85,13 @@ bool shadowFindKernel(int light, int view, vec3 positionVC, vec3 normalVC, out s
   float self = shadowSelf ? 1.0 : 0.0;
   kernel.slopeLC = self * planeLC / height;
   kernel.wobble = self * shadowNormalRounding * measures.x * max(measures.y, measures.z) / height;
-  kernel.horizon = shadowSelf ? vec3(dot(normalVC, kernel.positional ? placeVC - positionVC : placeVC),
-    dot(planeLC, kernel.axisULC), dot(planeLC, kernel.axisVLC)) : vec3(1.0, 0.0, 0.0);
+  // The axes are seen along the receiver's direction: the tilt takes that back.
+  float above = dot(normalVC, kernel.positional ? placeVC - positionVC : placeVC);
+  kernel.horizon = shadowSelf ? vec3(above, dot(planeLC, kernel.axisULC) - kernel.tilt.x * above,
+    dot(planeLC, kernel.axisVLC) - kernel.tilt.y * above) : vec3(1.0, 0.0, 0.0);
   kernel.horizonCuts = kernel.horizon.x < abs(kernel.horizon.y) + abs(kernel.horizon.z);
 
-  bool inside = form.y < 0.5 || max(abs(tangent.x), abs(tangent.y)) <= 1.0;
+  bool inside = form.x < 0.5 || max(abs(tangent.x), abs(tangent.y)) <= 1.0;
   return w > 0.0 && kernel.receiverLC.z > 0.0 && inside;
 }
 
@@ -106,10 +108,14 @@ vec2 shadowExtent(shadowKernel kernel, float delta)
 // border of light.
 float shadowReach(shadowKernel kernel, float delta)
 {
+#ifdef SHADOW_CUT_VIEWS
   vec2 extent = max(shadowExtent(kernel, delta), vec2(1e-30));
-  float border = 2.0 / float(shadowPyramidResolution);
-  vec2 room = max(0.5 - border - abs(kernel.receiverLC.xy - 0.5), 0.0) / extent;
-  return kernel.cut ? delta * min(1.0, min(room.x, room.y)) : delta;
+  vec2 room = max(min(kernel.receiverLC.xy - kernel.bounds.xy,
+    kernel.bounds.zw - kernel.receiverLC.xy), 0.0) / extent;
+  return delta * min(1.0, min(room.x, room.y));
+#else
+  return delta;
+#endif
 }
 
 // The depth that blockers are in front of, for look-ups within an extent: the receiver's, less what

@@ -3,7 +3,7 @@
 // A view is SHADOW_VIEW_VECTORS vectors: the rows of the matrix from VC to the map ([0,1] in x, y and
 // z after division: LC), the extent in VC at w = 1 of the texels that one look-up can read, along the
 // map's x and y, and the weight of the view's sample. The last three have the place that the view
-// looks from in their fourth components. Four more follow for look-ups around a point: see
+// looks from in their fourth components. Five more follow for look-ups around a point: see
 // vtkShadowMapKernelFS.glsl.
 //
 // SHADOW_FEW_VIEWS is defined to their number where they are few: what loops over them unrolls.

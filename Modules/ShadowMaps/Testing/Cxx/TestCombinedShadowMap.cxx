@@ -1,0 +1,9 @@
+// The combined method: sharp at contacts, soft far from them, with fine noise.
+
+#include "ShadowRegression.h"
+
+//------------------------------------------------------------------------------
+int TestCombinedShadowMap(int argc, char* argv[])
+{
+  return ShadowRegression::Test(argc, argv, "basic", "map-combined");
+}
