@@ -28,7 +28,6 @@ vtkDepthMapShadowPass::~vtkDepthMapShadowPass()
 bool vtkDepthMapShadowPass::UpdateMaps(vtkShadowFrame& frame, int samples, double megabytes)
 {
   vtkShadowMapSettings settings;
-  this->SetMapSettings(settings);
   settings.Samples = samples;
   settings.Midpoint = this->GetBoolean("midpoint");
   settings.Bilinear = this->GetText("filter") == "bilinear";
@@ -52,6 +51,7 @@ bool vtkDepthMapShadowPass::UpdateMaps(vtkShadowFrame& frame, int samples, doubl
                    " is more than this GPU allows; it is " + std::to_string(largest) + ".");
     settings.Resolution = largest;
   }
+  this->SetMapSettings(settings);
   if (!this->Maps->Update(frame, settings))
   {
     const std::string side = std::to_string(settings.Resolution);

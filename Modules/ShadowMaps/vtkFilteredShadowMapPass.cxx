@@ -40,7 +40,9 @@ bool vtkFilteredShadowMapPass::UpdateLightData(vtkShadowFrame& frame)
 //------------------------------------------------------------------------------
 void vtkFilteredShadowMapPass::SetMapSettings(vtkShadowMapSettings& settings)
 {
+  // Without a size, the map of map-hard.
   settings.Neighbours = !this->Hard;
+  settings.Midpoint = settings.Midpoint && !this->Hard;
 }
 
 //------------------------------------------------------------------------------

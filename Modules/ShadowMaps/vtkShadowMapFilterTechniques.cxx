@@ -22,9 +22,9 @@ vtkShadowParameter Skipping()
     {} };
 }
 
-vtkShadowParameter Width(const char* value)
+vtkShadowParameter Width()
 {
-  return { "width", Type::Real, value, 0, 4, {}, "of the casters' extent",
+  return { "width", Type::Real, "0.16", 0, 4, {}, "of the casters' extent",
     "Assumed distance from blocker to receiver, as a share of the diagonal of the box around the "
     "casters: penumbrae are as wide everywhere as that makes them",
     {} };
@@ -50,8 +50,7 @@ vtkShadowParameter JitteredSamples(const char* value, std::vector<std::string> p
     std::move(presets) };
 }
 
-vtkShadowTechnique Make(
-  const char* name, const char* title, const char* className, const char* midpoint = "off")
+vtkShadowTechnique Make(const char* name, const char* title, const char* className)
 {
   vtkShadowTechnique t;
   t.Name = name;
@@ -59,12 +58,15 @@ vtkShadowTechnique Make(
   t.ClassName = className;
   t.LightShapes = { Support::Exact, Support::Approximate, Support::Approximate,
     Support::Approximate, Support::Approximate, Support::Approximate };
-  t.Parameters = { AutomaticResolution(), Filter("bilinear"), Midpoint(midpoint), Skipping() };
+  // Midpoints are nearer to the silhouettes, which make the penumbrae, than lit sides are, and looking
+  // around finds less of the receiver itself.
+  t.Parameters = { AutomaticResolution(), Filter("bilinear"), Midpoint("on"), Skipping() };
   t.Resources = { "depth map, 4 bytes a texel, resolution^2 each light (up to six where the light is "
                   "among the casters); its pyramid, about 3 bytes a texel where resolution is a "
                   "power of two",
     "with midpoint=on, 16 bytes a texel of one map",
-    "receivers 16 bytes, depth 4 bytes, visibility 4 bytes a light, each a pixel" };
+    "with evaluation=screen receivers 16 bytes, depth 4 bytes, visibility 4 bytes a light, each a "
+    "pixel" };
   t.Limits = { "One map from the light's centre: what only other points of the light see behind a "
                "caster's edge is missing.",
     "A textured light counts as evenly bright.",
@@ -77,7 +79,6 @@ constexpr const char* Constant =
   "Penumbrae are as wide at contacts as far from them, and do not follow the blocker.";
 constexpr const char* OneBlocker =
   "Blockers at several depths over a receiver count as one in their middle.";
-constexpr const char* Forward = "Translucent surfaces receive only with evaluation=forward.";
 
 vtkShadowTechnique Filtering()
 {
@@ -87,8 +88,8 @@ vtkShadowTechnique Filtering()
   t.New = [] { return static_cast<vtkShadowPass*>(vtkPercentageCloserFilteringPass::New()); };
   t.Parameters.push_back({ "kernel", Type::Integer, "7", 1, 31, {}, "",
     "Compares along either side of the kernel", { "3", "5", "7", "15" } });
-  t.Parameters.push_back(Width("0.15"));
-  t.Limits.insert(t.Limits.end(), { Constant, Forward });
+  t.Parameters.push_back(Width());
+  t.Limits.insert(t.Limits.end(), { Constant });
   return t;
 }
 
@@ -101,8 +102,9 @@ vtkShadowTechnique Blurred()
     "Aware of depth and normal, as wide as the light's footprint; or plain, 15 pixels wide, with the "
     "thesis's halo",
     {} });
-  t.Parameters.push_back(Width("0.2"));
-  t.Resources.push_back("two masks, 4 bytes a pixel");
+  t.Parameters.push_back(Width());
+  t.Resources.back() = "receivers 16 bytes, depth 4 bytes, visibility 4 bytes a light, two masks of 4 "
+                       "bytes, each a pixel";
   t.Limits.insert(t.Limits.end(),
     { Constant, "What is not in the picture is not blurred into it: penumbrae change at its border.",
       "Translucent surfaces receive only from lights without size: the blur is in screen space." });
@@ -116,40 +118,37 @@ vtkShadowTechnique Jittered()
             "chapter 17; Zapotocky, Soft shadows on GPU, 2007, section 3.4";
   t.New = [] { return static_cast<vtkShadowPass*>(vtkJitteredShadowMapPass::New()); };
   t.Parameters.push_back(JitteredSamples("64", { "16", "32", "64", "256" }));
-  t.Parameters.push_back(Width("0.15"));
+  t.Parameters.push_back(Width());
   t.Resources.push_back("jittered points, 16 bytes, 256 x samples");
   t.Limits.insert(t.Limits.end(),
-    { Constant, "Noise instead of steps; a thin shadow that the outer ring misses is missed.",
-      Forward });
+    { Constant, "Noise instead of steps; a thin shadow that the outer ring misses is missed." });
   return t;
 }
 
 vtkShadowTechnique SoftShadows()
 {
-  // Midpoints are nearer to the silhouettes, which are what makes penumbrae, than lit sides are.
-  auto t = Make("map-pcss", "Percentage-closer soft shadows", "vtkPercentageCloserSoftShadowPass",
-    "on");
+  auto t = Make(
+    "map-pcss", "Percentage-closer soft shadows", "vtkPercentageCloserSoftShadowPass");
   t.Paper = "Fernando, Percentage-closer soft shadows, SIGGRAPH 2005 sketches; Zapotocky, Soft "
             "shadows on GPU, 2007, section 3.5";
   t.New = [] { return static_cast<vtkShadowPass*>(vtkPercentageCloserSoftShadowPass::New()); };
   t.Parameters.push_back(Search("25"));
   t.Parameters.push_back(Samples("64", { "16", "32", "64", "256" }));
-  t.Limits.insert(t.Limits.end(), { OneBlocker, Forward });
+  t.Limits.insert(t.Limits.end(), { OneBlocker });
   return t;
 }
 
 vtkShadowTechnique Combined()
 {
   auto t = Make("map-combined", "Combined: blocker search and jittered filtering",
-    "vtkCombinedShadowMapPass", "on");
+    "vtkCombinedShadowMapPass");
   t.Paper = "Zapotocky, Soft shadows on GPU, 2007, section 4.4.3";
   t.New = [] { return static_cast<vtkShadowPass*>(vtkCombinedShadowMapPass::New()); };
   t.Parameters.push_back(Search("16"));
   t.Parameters.push_back(JitteredSamples("32", { "16", "32", "32", "256" }));
   t.Resources.push_back("jittered points, 16 bytes, 256 x samples");
   t.Limits.insert(t.Limits.end(),
-    { OneBlocker, "Noise instead of steps; a thin shadow that the outer ring misses is missed.",
-      Forward });
+    { OneBlocker, "Noise instead of steps; a thin shadow that the outer ring misses is missed." });
   return t;
 }
 

@@ -35,7 +35,7 @@ struct vtkShadowMapSettings
   bool Bilinear = true;    // hardware filtering of the four nearest compares
   bool Midpoint = false;   // the middle of the casters' first two layers instead of the first
   bool Neighbours = false; // for look-ups all around a point: vtkShadowMapKernelFS.glsl
-  double Separation = 0.15; // assumed between blocker and receiver, as a share of the casters' extent
+  double Separation = 0.16; // assumed between blocker and receiver, as a share of the casters' extent
   std::size_t MemoryLimit = std::size_t(1) << 32; // bytes for all layers
 
   bool operator==(const vtkShadowMapSettings& other) const;

@@ -18,6 +18,7 @@ struct Entry
   const char* Name;
   const char* Technique; // nullptr: no shadows
   std::map<std::string, std::string> Parameters;
+  bool Point = false; // the light has no size
 };
 
 const std::vector<Entry> Entries = {
@@ -34,6 +35,8 @@ const std::vector<Entry> Entries = {
   { "map-pcss, 64, no skipping", "map-pcss", { { "skipping", "off" } } },
   { "map-pcss, 64, no midpoint", "map-pcss", { { "midpoint", "off" } } },
   { "map-pcss, 64, screen", "map-pcss", { { "evaluation", "screen" } } },
+  { "map-hard, a point light", "map-hard", {}, true },
+  { "map-pcss, a point light", "map-pcss", {}, true },
   { "map-combined, 32", "map-combined", {} },
   { "map-combined, 32, no skipping", "map-combined", { { "skipping", "off" } } },
 };
@@ -57,6 +60,10 @@ int main(int argc, char* argv[])
     passes.push_back(entry.Technique ? MakePass(entry.Technique, entry.Parameters) : nullptr);
     contestants.push_back(
       std::make_unique<Contestant>(entry.Name, scene, size, passes.back().Get()));
+    if (entry.Point)
+    {
+      vtkAreaLight::SafeDownCast(contestants.back()->Light)->SetShapeToPoint();
+    }
   }
   for (int i = -2; i < frames; ++i)
   {

@@ -85,6 +85,32 @@ SHADOW_TEST(Filters, SkippingChangesNothing, Each)
 }
 
 //------------------------------------------------------------------------------
+// A light without size gives the picture of map-hard bit by bit, from one map and one look-up.
+SHADOW_TEST(Filters, ZeroSizeIsMapHard, Each)
+{
+  if (!ShadowStage::HasParameter(technique, "skipping"))
+  {
+    return;
+  }
+  for (const LightKind kind : { LightKind::Point, LightKind::Sphere, LightKind::Rectangle })
+  {
+    ShadowTest::Check(
+      Same(ShowThings(technique, kind, 0.0, {}), ShowThings("map-hard", kind, 0.0, {})),
+      std::string(GetName(kind)) + ": not the picture of map-hard");
+  }
+  ShadowStage stage;
+  stage.AddThings();
+  stage.AddLight(LightKind::Point);
+  stage.SetPass(technique);
+  stage.Render();
+  const auto statistics = stage.GetStatistics();
+  ShadowTest::CheckEqual(stage.Count("mapsDrawn"), 1.0, "maps");
+  ShadowTest::Check(statistics["evaluation"] == "forward", "not evaluated forward");
+  ShadowTest::Check(!statistics["bytes"].contains("pyramid"), "a pyramid is held");
+  ShadowTest::Check(!statistics["bytes"].contains("layers"), "layers are held");
+}
+
+//------------------------------------------------------------------------------
 // Where blockers are searched, penumbrae are the light's: with a light of twice or half the size, or
 // 4 : 1 either way, the error in them grows by half at most (over all pixels it grows with their share
 // too); and it is small to begin with.

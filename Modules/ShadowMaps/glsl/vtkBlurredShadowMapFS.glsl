@@ -16,8 +16,9 @@ uniform float shadowSeparation; // assumed between blocker and receiver, in worl
 
 const int shadowTaps = 7; // to either side of the middle
 
-// The Gaussian's standard deviation in the light's half axes: that of a disk evenly lit.
-const float shadowDeviation = 0.5;
+// The Gaussian's standard deviation in the light's half axes: that of a square or a disk evenly lit.
+const float shadowSquareDeviation = 0.577;
+const float shadowDiskDeviation = 0.5;
 
 // The light's half axes as its footprint on a receiver, per world unit: a length in the light's plane
 // dotted with one of them gives its place in the footprint.
@@ -94,6 +95,8 @@ void main()
   vec4 receiverVC = texelFetch(shadowReceivers, ivec3(pixel, 0), 0);
   float sum = texelFetch(shadowMask, ivec3(pixel, 0), 0).r;
   float total = 1.0;
+  float deviation =
+    shadowLightVVC[shadowLight].w > 0.0 ? shadowSquareDeviation : shadowDiskDeviation;
   float above = 1.0;
   if (receiverVC.w != 0.0)
   {
@@ -109,7 +112,7 @@ void main()
     vec3 stepVC = vec3(shadowStep, 0.0) * shadowPixelSize * (shadowParallel ? 1.0 : -receiverVC.z);
     stepVC -= viewVC * (dot(normalVC, stepVC) / facing);
     float perPixel = length((toLight * stepVC).xy);
-    float spacing = max(1.0, 2.0 * shadowDeviation / (float(shadowTaps) * max(perPixel, 1e-6)));
+    float spacing = max(1.0, 2.0 * deviation / (float(shadowTaps) * max(perPixel, 1e-6)));
     float thickness = length(stepVC) * spacing;
     vec3 horizon = shadowHorizon(receiverVC.xyz, normalVC);
     bool own = receiverVC.w > 0.0 && !shadowSeesAll(horizon);
@@ -131,7 +134,7 @@ void main()
 #else
         vec4 tapVC = texelFetch(shadowReceivers, ivec3(tap, 0), 0);
         vec3 apartVC = tapVC.xyz - receiverVC.xyz;
-        vec2 st = (toLight * apartVC).xy / shadowDeviation;
+        vec2 st = (toLight * apartVC).xy / deviation;
         float off = dot(normalVC, apartVC) / thickness;
         vec3 tapNormalVC = shadowUnpackNormal(max(abs(tapVC.w), 1.0));
         float turn = max(dot(normalVC, tapNormalVC), 0.0);

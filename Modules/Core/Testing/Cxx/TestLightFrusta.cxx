@@ -78,7 +78,10 @@ public:
     this->Casters.Update(this->Renderer);
     this->Gathered = vtkShadowLight::Gather(this->Renderer, 0.0).at(0);
   }
-  vtkLightFrusta GetFrusta() const { return vtkLightFrusta(this->Gathered, this->Casters, Border); }
+  vtkLightFrusta GetFrusta(bool neighbours = false) const
+  {
+    return vtkLightFrusta(this->Gathered, this->Casters, Border, neighbours);
+  }
   glm::dvec3 GetCentre() const
   {
     return this->Gathered.IsDirectional() ? -this->Gathered.Direction : this->Gathered.Position;
@@ -377,6 +380,70 @@ void TestCone()
 }
 
 //------------------------------------------------------------------------------
+// Views for look-ups around a point show as far beyond a border as the light's size carries them, and
+// tell at which sides casters go on that they do not show; of a light without size they are the same.
+void TestNeighbours()
+{
+  Scene scene;
+  scene.AddBox(glm::dvec3(0.0), 1.0);
+  scene.AddBox(glm::dvec3(2.2, 0.0, 0.0), 1.0);
+  scene.SetLight(glm::dvec3(0.0, 0.0, 5.0), glm::dvec3(0.0));
+  scene.Light->SetShapeToSphere();
+  scene.Light->SetConeAngle(20.0);
+  for (const double radius : { 0.0, 0.3 })
+  {
+    scene.Light->SetRadius(radius);
+    scene.Update();
+    const auto plain = scene.GetFrusta().GetViews(scene.GetCentre());
+    const auto around = scene.GetFrusta(true).GetViews(scene.GetCentre());
+    CHECK_EQUAL(around.size(), std::size_t(1));
+    // The right one of the boxes reaches out of the window: at one of its sides.
+    const auto& cut = around.at(0).Cut;
+    CHECK_EQUAL(std::count(cut.begin(), cut.end(), true), 1);
+    if (radius == 0.0)
+    {
+      CHECK(around.at(0).WCToClip == plain.at(0).WCToClip);
+      continue;
+    }
+    // Its near side is 4.1 away: the light's centre sees that of a receiver within the cone's border.
+    const double tangent = std::tan(20.0 / 57.29578) + radius / 4.1;
+    CHECK(IsInside(around.at(0), glm::dvec3(4.5 * std::min(tangent, 0.6), 0.0, 0.5), 0.0));
+    CHECK(!IsInside(plain.at(0), glm::dvec3(4.5 * std::min(tangent, 0.6), 0.0, 0.5), 0.0));
+  }
+
+  // Among casters: faces of a cube overlap, so that what lies across an edge is in both.
+  Scene cube;
+  cube.AddBox(glm::dvec3(3.0, 3.0, 0.0), 1.0);
+  cube.AddBox(glm::dvec3(-3.0, 0.0, 0.0), 1.0);
+  cube.AddBox(glm::dvec3(0.0, -3.0, 0.0), 1.0);
+  cube.SetLight(glm::dvec3(0.0), glm::dvec3(0.0, 0.0, -1.0));
+  cube.Light->SetShapeToSphere();
+  cube.Light->SetRadius(0.5);
+  cube.Update();
+  int seen = 0;
+  for (const auto& view : cube.GetFrusta(true).GetViews(cube.GetCentre()))
+  {
+    CHECK(view.Face);
+    seen += IsInside(view, glm::dvec3(3.1, 2.9, 0.2), 0.0) ? 1 : 0;
+  }
+  CHECK_EQUAL(seen, 2);
+
+  // A filter's width must not change as the scene turns.
+  double extents[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    Scene turned;
+    vtkActor* box = turned.AddBox(glm::dvec3(1.0, 2.0, 0.5), 1.0);
+    box->RotateWXYZ(50.0 * i, 1.0, 2.0, 3.0);
+    turned.SetLight(glm::dvec3(0.0, 0.0, 9.0), glm::dvec3(0.0));
+    turned.Update();
+    extents[i] = turned.GetFrusta().GetExtent();
+  }
+  CHECK_NEAR(extents[0], std::sqrt(3.0), 1e-6);
+  CHECK_NEAR(extents[1], extents[0], 1e-6);
+}
+
+//------------------------------------------------------------------------------
 void TestDirectional()
 {
   Scene scene;
@@ -428,6 +495,7 @@ int TestLightFrusta(int, char*[])
   TestEdgeOn();
   TestAmongCasters();
   TestCone();
+  TestNeighbours();
   TestDirectional();
   return ShadowTesting::Result();
 }
