@@ -258,6 +258,34 @@ double vtkLightFrusta::GetOverlap(const glm::dvec3& position, double widest) con
 }
 
 //------------------------------------------------------------------------------
+bool vtkLightFrusta::IsOverlapExceeded(const vtkShadowCasters& casters) const
+{
+  const double size = glm::length(this->Light.U) + glm::length(this->Light.V);
+  const double least = size / WidestOverlap;
+  const glm::dvec3 position = this->Light.Position - this->Origin;
+  if (!this->Neighbours || this->Light.IsDirectional() ||
+      this->GetOverlap(position, WidestOverlap) < WidestOverlap)
+  {
+    return false;
+  }
+  return std::any_of(this->Included.begin(), this->Included.end(),
+    [&](int index)
+    {
+      const vtkShadowCaster& caster = casters.Get()[index];
+      const auto& positions = caster.Mesh->Positions;
+      for (std::size_t i = 0; i + 2 < positions.size(); i += 3)
+      {
+        const glm::dvec4 p(positions[i], positions[i + 1], positions[i + 2], 1.0);
+        if (glm::length(glm::dvec3(caster.MeshToWC * p) - position) < least)
+        {
+          return true;
+        }
+      }
+      return false;
+    });
+}
+
+//------------------------------------------------------------------------------
 std::vector<vtkLightView> vtkLightFrusta::GetViews(const glm::dvec3& place) const
 {
   if (this->Included.empty())

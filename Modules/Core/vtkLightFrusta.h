@@ -72,6 +72,12 @@ public:
    */
   double GetExtent() const;
 
+  /**
+   * Whether some caster is so near to a light among its casters that look-ups around a point reach
+   * further beyond a cube's face than the views show.
+   */
+  bool IsOverlapExceeded(const vtkShadowCasters& casters) const;
+
   /** Views from one place on the light (see vtkLightSample), in WC: none, one, or up to six. */
   std::vector<vtkLightView> GetViews(const glm::dvec3& place) const;
 

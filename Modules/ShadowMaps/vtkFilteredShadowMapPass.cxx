@@ -34,7 +34,16 @@ bool vtkFilteredShadowMapPass::UpdateLightData(vtkShadowFrame& frame)
 {
   constexpr double unlimited = 1048576.0; // megabytes: a few maps are always kept
   this->Hard = frame.Hard;
-  return this->UpdateMaps(frame, 1, unlimited);
+  if (!this->UpdateMaps(frame, 1, unlimited))
+  {
+    return false;
+  }
+  if (this->Maps->IsOverlapExceeded())
+  {
+    this->WarnOnce("a light is among its casters and larger than three fifths of its distance from "
+                   "one: penumbrae that reach further beyond the face of its cube are drawn in.");
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

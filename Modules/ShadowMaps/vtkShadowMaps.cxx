@@ -82,6 +82,7 @@ std::vector<vtkShadowMaps::View> vtkShadowMaps::MakeViews(
       views.push_back({ frustum, place.Weight, index });
     }
   }
+  state.Exceeded = views.size() > 1 && frusta.IsOverlapExceeded(*frame.Casters);
   return views;
 }
 
@@ -110,6 +111,7 @@ bool vtkShadowMaps::Update(vtkShadowFrame& frame, const vtkShadowMapSettings& se
       views.insert(views.end(), old, old + this->Lights[i].Count);
       state.Casters = this->Lights[i].Casters;
       state.Extent = this->Lights[i].Extent;
+      state.Exceeded = this->Lights[i].Exceeded;
     }
     else
     {
@@ -411,6 +413,13 @@ void vtkShadowMaps::AddKernelVectors(const vtkShadowLight& light, const View& vi
   const auto& cut = frustum.Cut;
   this->ViewVectors.emplace_back(glm::dvec4(cut[0] ? border : -1e6, cut[1] ? border : -1e6,
     cut[2] ? 1.0 - border : 1e6, cut[3] ? 1.0 - border : 1e6));
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowMaps::IsOverlapExceeded() const
+{
+  return std::any_of(this->Lights.begin(), this->Lights.end(),
+    [](const LightState& light) { return light.Exceeded; });
 }
 
 //------------------------------------------------------------------------------

@@ -67,6 +67,8 @@ public:
 
   vtkShadowTexture& GetTexture() { return this->Maps; }
   int GetNumberOfViews() const { return static_cast<int>(this->Views.size()); }
+  /** Some light's look-ups reach further than its views show, and are drawn in. */
+  bool IsOverlapExceeded() const;
   /** What vtkShadowMapSettings::Separation makes of a light's casters, in world units. */
   double GetSeparation(int light) const;
   /** Bytes of all, by name. */
@@ -88,6 +90,7 @@ private:
     int Count = 0;
     std::vector<int> Casters;
     double Extent = 0.0; // of these
+    bool Exceeded = false; // vtkLightFrusta::IsOverlapExceeded
   };
 
   std::vector<View> MakeViews(vtkShadowFrame& frame, int light, LightState& state) const;

@@ -222,6 +222,27 @@ SHADOW_TEST(Filters, ResolutionFollowsThePicture, Each)
 }
 
 //------------------------------------------------------------------------------
+// A light that touches its casters: one warning, in however many frames, and a share all the same.
+SHADOW_TEST(Filters, LightInACaster, Each)
+{
+  if (!ShadowStage::HasParameter(technique, "skipping"))
+  {
+    return;
+  }
+  ShadowStage stage;
+  stage.AddThings();
+  stage.AddLight(LightKind::Sphere, { 0.9, -0.5, 1.5 }, { 0.0, 0.0, 0.0 })->SetRadius(0.5);
+  stage.SetPass(technique);
+  stage.Render();
+  stage.Render();
+  const auto range = GetRange(stage.GetVisibility());
+  ShadowTest::CheckAtLeast(range.first, 0.0, "lowest V");
+  ShadowTest::CheckAtMost(range.second, 1.0, "highest V");
+  ShadowTest::CheckOneMessage(
+    ShadowTest::Message::Warning, { technique, "among its casters" }, "the warning");
+}
+
+//------------------------------------------------------------------------------
 // A light as large as the scene, and one that reaches into a caster: look-ups far beyond the map, and
 // no rectangle of light or dark. Far from all casters all is lit; what differs is no border.
 SHADOW_TEST(Filters, KernelWiderThanTheMap, Each)
@@ -256,5 +277,11 @@ SHADOW_TEST(Filters, KernelWiderThanTheMap, Each)
     ShadowTest::CheckAtLeast(static_cast<double>(far), 1000.0, "pixels far from the box");
     ShadowTest::CheckEqual(
       static_cast<double>(dark), 0.0, "radius " + std::to_string(radius) + ": dark far away");
+    if (radius > 6.0)
+    {
+      // It reaches below the floor, which then is among what can cast.
+      ShadowTest::CheckOneMessage(
+        ShadowTest::Message::Warning, { technique, "among its casters" }, "the warning");
+    }
   }
 }
