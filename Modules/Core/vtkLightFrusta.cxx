@@ -44,8 +44,8 @@ struct Range
   /** The window of this one reaches over that of another. */
   bool ReachesOver(const Range& other) const
   {
-    return this->Low.x < other.Low.x || this->Low.y < other.Low.y ||
-           this->High.x > other.High.x || this->High.y > other.High.y;
+    return this->Low.x < other.Low.x || this->Low.y < other.Low.y || this->High.x > other.High.x ||
+           this->High.y > other.High.y;
   }
   bool IsEmpty() const
   {
@@ -223,8 +223,8 @@ vtkLightFrusta::vtkLightFrusta(
   }
   for (const int i : bodies)
   {
-    this->Extent = std::max(
-      this->Extent, 2.0 * (glm::length(all[i].GetMiddle() - middle) + all[i].GetRadius()));
+    this->Extent =
+      std::max(this->Extent, 2.0 * (glm::length(all[i].GetMiddle() - middle) + all[i].GetRadius()));
   }
 }
 
@@ -305,7 +305,8 @@ std::vector<vtkLightView> vtkLightFrusta::GetDirectionalViews(const glm::dvec3& 
   Range whole;
   for (const auto& region : this->Regions)
   {
-    range.Add(RegionRange(region.Box, region.Others, overlap,
+    range.Add(RegionRange(
+      region.Box, region.Others, overlap,
       [&](const Corners& box)
       {
         Range own;
@@ -354,8 +355,7 @@ std::vector<vtkLightView> vtkLightFrusta::GetPositionalViews(const glm::dvec3& p
   // VTK has one cone, at the centre: another place on the light has to see beyond its own.
   // So do look-ups around the centre: as far as the light's size carries them, or all the way.
   const double overlap = this->GetOverlap(position, Tangent(WidestHalfAngle));
-  if (position == this->Light.Position - this->Origin &&
-      this->Light.ConeAngle <= WidestHalfAngle &&
+  if (position == this->Light.Position - this->Origin && this->Light.ConeAngle <= WidestHalfAngle &&
       Tangent(this->Light.ConeAngle) + overlap <= Tangent(WidestHalfAngle))
   {
     this->AddPerspectiveView(

@@ -319,9 +319,8 @@ void vtkShadowCasters::Draw(vtkOpenGLRenderWindow* window, const glm::dmat4& WCT
 {
   this->Upload(window);
   Buffers& gpu = *this->GPU;
-  vtkShaderProgram* program =
-    window->GetShaderCache()->ReadyShaderProgram(
-      vtkShadowCasterVS, fragmentShader ? fragmentShader : vtkShadowCasterFS, "");
+  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
+    vtkShadowCasterVS, fragmentShader ? fragmentShader : vtkShadowCasterFS, "");
   if (!program)
   {
     return; // the shader cache has reported why

@@ -96,7 +96,9 @@ void vtkShadowPass::DrawEvaluation(
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   state->vtkglDisable(GL_DEPTH_TEST);
   const std::string source = vtkShadowInjection::GetEvaluation(
-    my.GetPreamble() + (buffer.GetQuantity().empty() ? "" : "#define SHADOW_QUANTITY " + buffer.GetQuantity() + "\n") +
+    my.GetPreamble() +
+      (buffer.GetQuantity().empty() ? ""
+                                    : "#define SHADOW_QUANTITY " + buffer.GetQuantity() + "\n") +
       (share > 0.0 ? "#define SHADOW_OUTPUT_CHANGE\n" : ""),
     this->GetVisibilityGLSL());
   this->DrawQuad(source,

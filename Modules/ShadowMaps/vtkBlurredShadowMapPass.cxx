@@ -114,8 +114,8 @@ void vtkBlurredShadowMapPass::Blur(vtkShadowFrame& frame, vtkVisibilityBuffer& b
 {
   vtkCamera* camera = frame.Renderer->GetActiveCamera();
   const bool parallel = camera->GetParallelProjection();
-  const double half = parallel ? camera->GetParallelScale()
-                               : std::tan(glm::radians(0.5 * camera->GetViewAngle()));
+  const double half =
+    parallel ? camera->GetParallelScale() : std::tan(glm::radians(0.5 * camera->GetViewAngle()));
   const int across =
     !parallel && camera->GetUseHorizontalViewAngle() ? frame.Size[0] : frame.Size[1];
   std::string source = vtkBlurredShadowMapFS;

@@ -121,9 +121,9 @@ std::string vtkFilteredShadowMapPass::GetDebugQuantity(const std::string& view)
   {
     return "0.0"; // no penumbra, and nothing was searched
   }
-  return view == "penumbra-width" ? "shadowPenumbra"
-                                  : (view == "blocker-depth" ? "shadowBlocker"
-                                                             : this->Superclass::GetDebugQuantity(view));
+  return view == "penumbra-width"
+           ? "shadowPenumbra"
+           : (view == "blocker-depth" ? "shadowBlocker" : this->Superclass::GetDebugQuantity(view));
 }
 
 //------------------------------------------------------------------------------
@@ -139,6 +139,7 @@ void vtkFilteredShadowMapPass::ReleaseLightData(vtkRenderWindow* window)
 std::vector<std::pair<std::string, std::size_t>> vtkFilteredShadowMapPass::GetLightDataBytes()
 {
   auto bytes = this->Superclass::GetLightDataBytes();
-  bytes.emplace_back("patterns", this->Search->GetTexture().GetBytes() + this->Filter->GetTexture().GetBytes());
+  bytes.emplace_back(
+    "patterns", this->Search->GetTexture().GetBytes() + this->Filter->GetTexture().GetBytes());
   return bytes;
 }

@@ -54,7 +54,7 @@ protected:
   void DeactivateLightData(vtkShadowFrame& frame) override;
   void SetVisibilityParameters(vtkShaderProgram* program) override;
 
-  bool Hard = false; // no light of this frame has a size
+  bool Hard = false;                           // no light of this frame has a size
   std::unique_ptr<vtkShadowMapPattern> Search; // of blockers
   std::unique_ptr<vtkShadowMapPattern> Filter;
 

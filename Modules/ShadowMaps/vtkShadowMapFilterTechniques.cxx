@@ -45,7 +45,8 @@ vtkShadowParameter Samples(const char* value, std::vector<std::string> presets)
 vtkShadowParameter JitteredSamples(const char* value, std::vector<std::string> presets)
 {
   return { "samples", Type::Integer, value, 4, 1024, {}, "",
-    "Compares of a receiver in a penumbra, rounded up to whole rings; those of the outer ring decide "
+    "Compares of a receiver in a penumbra, rounded up to whole rings; those of the outer ring "
+    "decide "
     "whether it is in one",
     std::move(presets) };
 }
@@ -61,16 +62,19 @@ vtkShadowTechnique Make(const char* name, const char* title, const char* classNa
   // Midpoints are nearer to the silhouettes, which make the penumbrae, than lit sides are, and looking
   // around finds less of the receiver itself.
   t.Parameters = { AutomaticResolution(), Filter("bilinear"), Midpoint("on"), Skipping() };
-  t.Resources = { "depth map, 4 bytes a texel, resolution^2 each light (up to six where the light is "
-                  "among the casters); its pyramid, about 3 bytes a texel where resolution is a "
-                  "power of two",
+  t.Resources = {
+    "depth map, 4 bytes a texel, resolution^2 each light (up to six where the light is "
+    "among the casters); its pyramid, about 3 bytes a texel where resolution is a "
+    "power of two",
     "with midpoint=on, 16 bytes a texel of one map",
     "with evaluation=screen receivers 16 bytes, depth 4 bytes, visibility 4 bytes a light, each a "
-    "pixel" };
+    "pixel"
+  };
   t.Limits = { "One map from the light's centre: what only other points of the light see behind a "
                "caster's edge is missing.",
     "A textured light counts as evenly bright.",
-    "A light among its casters: what it casts further than 31 degrees beyond a cube's face is drawn "
+    "A light among its casters: what it casts further than 31 degrees beyond a cube's face is "
+    "drawn "
     "in." };
   return t;
 }
@@ -83,8 +87,9 @@ constexpr const char* OneBlocker =
 vtkShadowTechnique Filtering()
 {
   auto t = Make("map-pcf", "Percentage-closer filtering", "vtkPercentageCloserFilteringPass");
-  t.Paper = "Reeves, Salesin and Cook, Rendering antialiased shadows with depth maps, SIGGRAPH 1987; "
-            "Zapotocky, Soft shadows on GPU, 2007, section 3.2";
+  t.Paper =
+    "Reeves, Salesin and Cook, Rendering antialiased shadows with depth maps, SIGGRAPH 1987; "
+    "Zapotocky, Soft shadows on GPU, 2007, section 3.2";
   t.New = [] { return static_cast<vtkShadowPass*>(vtkPercentageCloserFilteringPass::New()); };
   t.Parameters.push_back({ "kernel", Type::Integer, "7", 1, 31, {}, "",
     "Compares along either side of the kernel", { "3", "5", "7", "15" } });
@@ -99,14 +104,17 @@ vtkShadowTechnique Blurred()
   t.Paper = "Shastry, Soft-edged shadows, 2005; Zapotocky, Soft shadows on GPU, 2007, section 3.3";
   t.New = [] { return static_cast<vtkShadowPass*>(vtkBlurredShadowMapPass::New()); };
   t.Parameters.push_back({ "blur", Type::Choice, "aware", 0, 0, { "aware", "plain" }, "",
-    "Aware of depth and normal, as wide as the light's footprint; or plain, 15 pixels wide, with the "
+    "Aware of depth and normal, as wide as the light's footprint; or plain, 15 pixels wide, with "
+    "the "
     "thesis's halo",
     {} });
   t.Parameters.push_back(Width());
-  t.Resources.back() = "receivers 16 bytes, depth 4 bytes, visibility 4 bytes a light, two masks of 4 "
-                       "bytes, each a pixel";
+  t.Resources.back() =
+    "receivers 16 bytes, depth 4 bytes, visibility 4 bytes a light, two masks of 4 "
+    "bytes, each a pixel";
   t.Limits.insert(t.Limits.end(),
-    { Constant, "What is not in the picture is not blurred into it: penumbrae change at its border.",
+    { Constant,
+      "What is not in the picture is not blurred into it: penumbrae change at its border.",
       "Translucent surfaces receive only from lights without size: the blur is in screen space." });
   return t;
 }
@@ -127,8 +135,7 @@ vtkShadowTechnique Jittered()
 
 vtkShadowTechnique SoftShadows()
 {
-  auto t = Make(
-    "map-pcss", "Percentage-closer soft shadows", "vtkPercentageCloserSoftShadowPass");
+  auto t = Make("map-pcss", "Percentage-closer soft shadows", "vtkPercentageCloserSoftShadowPass");
   t.Paper = "Fernando, Percentage-closer soft shadows, SIGGRAPH 2005 sketches; Zapotocky, Soft "
             "shadows on GPU, 2007, section 3.5";
   t.New = [] { return static_cast<vtkShadowPass*>(vtkPercentageCloserSoftShadowPass::New()); };
@@ -140,8 +147,8 @@ vtkShadowTechnique SoftShadows()
 
 vtkShadowTechnique Combined()
 {
-  auto t = Make("map-combined", "Combined: blocker search and jittered filtering",
-    "vtkCombinedShadowMapPass");
+  auto t = Make(
+    "map-combined", "Combined: blocker search and jittered filtering", "vtkCombinedShadowMapPass");
   t.Paper = "Zapotocky, Soft shadows on GPU, 2007, section 4.4.3";
   t.New = [] { return static_cast<vtkShadowPass*>(vtkCombinedShadowMapPass::New()); };
   t.Parameters.push_back(Search("16"));

@@ -40,8 +40,8 @@ bool vtkShadowMapSettings::operator==(const vtkShadowMapSettings& other) const
 {
   const auto tie = [](const vtkShadowMapSettings& s)
   {
-    return std::tie(s.Resolution, s.Samples, s.Bilinear, s.Midpoint, s.Neighbours, s.Separation,
-      s.MemoryLimit);
+    return std::tie(
+      s.Resolution, s.Samples, s.Bilinear, s.Midpoint, s.Neighbours, s.Separation, s.MemoryLimit);
   };
   return tie(*this) == tie(other);
 }
@@ -433,8 +433,8 @@ std::string vtkShadowMaps::GetGLSL() const
 {
   const bool clipped = std::any_of(
     this->Views.begin(), this->Views.end(), [](const View& v) { return v.Frustum.Clipped; });
-  const bool cut = std::any_of(this->Views.begin(), this->Views.end(), [](const View& v)
-    { return std::count(v.Frustum.Cut.begin(), v.Frustum.Cut.end(), true) > 0; });
+  const bool cut = std::any_of(this->Views.begin(), this->Views.end(),
+    [](const View& v) { return std::count(v.Frustum.Cut.begin(), v.Frustum.Cut.end(), true) > 0; });
   const int vectors = VectorsOfView + (this->Current.Neighbours ? VectorsOfKernel : 0);
   std::string source = "#define SHADOW_VIEW_VECTORS " + std::to_string(vectors) + "\n" +
                        (clipped ? "#define SHADOW_CLIPPED_VIEWS\n" : "") +
@@ -525,9 +525,8 @@ std::vector<std::pair<std::string, std::size_t>> vtkShadowMaps::GetBytes() const
   }
   if (this->Current.Midpoint)
   {
-    bytes.emplace_back("layers",
-      this->Layers[0].GetBytes() + this->Layers[1].GetBytes() + this->Sides[0].GetBytes() +
-        this->Sides[1].GetBytes());
+    bytes.emplace_back("layers", this->Layers[0].GetBytes() + this->Layers[1].GetBytes() +
+                                   this->Sides[0].GetBytes() + this->Sides[1].GetBytes());
   }
   return bytes;
 }

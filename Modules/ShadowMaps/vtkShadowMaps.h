@@ -35,7 +35,8 @@ struct vtkShadowMapSettings
   bool Bilinear = true;    // hardware filtering of the four nearest compares
   bool Midpoint = false;   // the middle of the casters' first two layers instead of the first
   bool Neighbours = false; // for look-ups all around a point: vtkShadowMapKernelFS.glsl
-  double Separation = 0.16; // assumed between blocker and receiver, as a share of the casters' extent
+  double Separation =
+    0.16; // assumed between blocker and receiver, as a share of the casters' extent
   std::size_t MemoryLimit = std::size_t(1) << 32; // bytes for all layers
 
   bool operator==(const vtkShadowMapSettings& other) const;
@@ -89,7 +90,7 @@ private:
     int First = 0;
     int Count = 0;
     std::vector<int> Casters;
-    double Extent = 0.0; // of these
+    double Extent = 0.0;   // of these
     bool Exceeded = false; // vtkLightFrusta::IsOverlapExceeded
   };
 

@@ -49,8 +49,7 @@ int main(int argc, char* argv[])
   const int frames = argc > 3 ? std::atoi(argv[3]) : 21;
   if (size < 16 || frames < 3)
   {
-    std::fprintf(
-      stderr, "usage: softshadowsFilterBenchmark [scene [size >= 16 [frames >= 3]]]\n");
+    std::fprintf(stderr, "usage: softshadowsFilterBenchmark [scene [size >= 16 [frames >= 3]]]\n");
     return 2;
   }
   std::vector<std::unique_ptr<Contestant>> contestants;
@@ -82,7 +81,8 @@ int main(int argc, char* argv[])
   const double base = Median(contestants[0]->Camera);
   const double baseMoving = Median(contestants[0]->Moving);
   const double rays = Median(contestants[1]->Camera) - base;
-  std::printf("%s, %d x %d: frame without shadows %.1f ms; added, and its share of what 64 rays add\n",
+  std::printf(
+    "%s, %d x %d: frame without shadows %.1f ms; added, and its share of what 64 rays add\n",
     scene.c_str(), size, size, base);
   for (const auto& contestant : contestants)
   {

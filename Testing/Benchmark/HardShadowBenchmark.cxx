@@ -52,8 +52,7 @@ void Run(const std::string& scene, int size, int frames)
 {
   Contestant none("no shadows", scene, size, nullptr);
   const auto vtkPass = MakeVTKPass();
-  const auto ourPass =
-    MakePass("map-hard", { { "resolution", std::to_string(Resolution) } });
+  const auto ourPass = MakePass("map-hard", { { "resolution", std::to_string(Resolution) } });
   const auto referencePass = MakePass("ray-traced", { { "samples", "1" } });
   Contestant vtkOwn("vtkShadowMapPass", scene, size, vtkPass);
   Contestant ours("map-hard", scene, size, ourPass);

@@ -22,8 +22,8 @@ struct Accuracy
 {
   const char* Technique;
   int Samples;
-  double Cap;         // of the RMSE, whatever the penumbra's share
-  bool Exact = true;  // converges; else the cap is all
+  double Cap;        // of the RMSE, whatever the penumbra's share
+  bool Exact = true; // converges; else the cap is all
 };
 
 // A technique that converges to the truth gets rows here.

@@ -187,8 +187,7 @@ SHADOW_TEST(Filters, BlurHasNoHalo, Each)
   const Visibility hard = ShowThings(technique, LightKind::Sphere, 0.0, {});
   const auto measure = [&](const char* blur)
   {
-    return Compare(
-      ShowThings(technique, LightKind::Sphere, 0.05, { { "blur", blur } }), hard, 0.2)
+    return Compare(ShowThings(technique, LightKind::Sphere, 0.05, { { "blur", blur } }), hard, 0.2)
       .Share;
   };
   ShadowTest::CheckAtMost(measure("aware"), 0.01, "aware: pixels that differ from hard");

@@ -39,7 +39,8 @@ Visibility Show(const std::string& technique, LightKind kind, const Placement& p
 {
   // Faces of a cube show 1.6 as much either way where look-ups go around a point.
   const bool around = ShadowStage::HasParameter(technique, "skipping");
-  return RenderVisibility(technique,
+  return RenderVisibility(
+    technique,
     { { "kernel", "15" }, { "samples", "64" }, { "width", "0.1" },
       { "resolution", around ? "410" : "256" } },
     [kind](ShadowStage& stage)
