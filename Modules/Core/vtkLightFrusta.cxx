@@ -135,6 +135,7 @@ vtkLightFrusta::vtkLightFrusta(
   const vtkShadowLight& light, const vtkShadowCasters& casters, double border, bool neighbours)
   : Light(light)
   , Border(border)
+  , Around(neighbours)
   , Neighbours(neighbours && !light.IsPoint())
   , Origin(casters.GetOrigin())
 {
@@ -244,7 +245,23 @@ double vtkLightFrusta::GetOverlap(const glm::dvec3& position, double widest) con
   const double size = glm::length(this->Light.U) + glm::length(this->Light.V);
   if (this->Light.IsDirectional())
   {
-    return size * this->GetExtent();
+    // As far as anything is from anything else.
+    Range all;
+    for (const auto& region : this->Regions)
+    {
+      for (const auto& corner : region.Box)
+      {
+        all.Add(corner);
+      }
+      for (const auto& other : region.Others)
+      {
+        for (const auto& corner : other)
+        {
+          all.Add(corner);
+        }
+      }
+    }
+    return all.IsEmpty() ? 0.0 : size * glm::length(all.High - all.Low);
   }
   double nearest = std::numeric_limits<double>::max();
   for (const auto& region : this->Regions)
@@ -460,7 +477,7 @@ bool vtkLightFrusta::AddPerspectiveView(const glm::dvec3& position, const glm::d
     range.High.x >= limit, range.High.y >= limit };
   const bool clipped = std::count(cut.begin(), cut.end(), true) > 0 || whole.ReachesOver(range);
   Widen(range, this->Border);
-  if (face && !this->Neighbours)
+  if (face && !this->Around)
   {
     // Faces of a cube do not overlap, or a point on their common edge would be counted twice.
     range.Low = glm::max(range.Low, glm::dvec3(-1.0, -1.0, 0.0));

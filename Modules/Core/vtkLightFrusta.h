@@ -99,7 +99,8 @@ private:
 
   vtkShadowLight Light;
   double Border;
-  bool Neighbours;
+  bool Around;     // views are for look-ups around a point
+  bool Neighbours; // and the light has a size that carries them
   double Extent = 0.0;
   glm::dvec3 Origin{ 0.0 }; // of WC
   std::vector<int> Included;

@@ -2,7 +2,8 @@
 // lit or surely dark, without looking at single texels.
 //
 //   pyramid  RG32F, side = the maps' half rounded up to a power of two, all levels, a layer each map:
-//            least and greatest depth of 2^(level+1) squared texels (about 11 bytes a texel of a map)
+//            least and greatest depth of 2^(level+1) squared texels (2.7 bytes a texel of a
+//            map whose side is a power of two, up to four times as much of another)
 //
 // vtkShadowDepthRangeFS.glsl asks it. Conservative: what it says of a region holds for every texel
 // that a look-up there can read, so that what it lets skip changes no picture.

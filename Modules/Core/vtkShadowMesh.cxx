@@ -69,13 +69,15 @@ void FindPlane(vtkShadowMesh& mesh)
       mesh.PlanePoint = at(i);
     }
   }
+  const double rounding = 1e-6 * glm::length(mesh.Maximum - mesh.Minimum);
   const double tolerance =
-    1e-6 * glm::length(mesh.Maximum - mesh.Minimum) +
-    1e-7 * glm::length(mesh.Centre); // points far from the model's origin, if they were floats
-  mesh.Flat = largest > 0.0;
+    rounding + 1e-7 * glm::length(mesh.Centre); // far from the model's origin, if they were floats
+  mesh.Flat = mesh.Sheet = largest > 0.0;
   for (std::size_t i = 0; mesh.Flat && i < mesh.Indices.size(); ++i)
   {
-    mesh.Flat = std::abs(glm::dot(mesh.Normal, at(i) - mesh.PlanePoint)) <= tolerance;
+    const double distance = std::abs(glm::dot(mesh.Normal, at(i) - mesh.PlanePoint));
+    mesh.Flat = distance <= tolerance;
+    mesh.Sheet = mesh.Sheet && distance <= rounding;
   }
 }
 }

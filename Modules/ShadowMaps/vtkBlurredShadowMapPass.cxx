@@ -85,7 +85,8 @@ void vtkBlurredShadowMapPass::FillVisibility(vtkShadowFrame& frame, vtkVisibilit
   state->vtkglDisable(GL_DEPTH_TEST);
   for (int i = 0; i < static_cast<int>(frame.Lights.size()); ++i)
   {
-    const bool point = frame.Lights[i].IsPoint();
+    // Nothing to blur by: no size, no casters, or no width.
+    const bool point = frame.Lights[i].IsPoint() || !(this->Maps->GetSeparation(i) > 0.0);
     {
       vtkShadowFramebuffer::Scope target(frame.Window, buffer.GetFramebuffer(),
         point ? &buffer.GetTarget() : this->Masks[0].get(), nullptr, point ? i : 0);

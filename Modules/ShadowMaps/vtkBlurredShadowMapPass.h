@@ -9,7 +9,7 @@
  * from another surface (parameter blur=aware; cross bilateral). blur=plain is the thesis's: points a
  * pixel apart, receivers or not, with its halo along silhouettes.
  *
- * Stages: 1., 2. as vtkFilteredShadowMapPass; 3. the mask; 4. the blur along x, 5. along y.
+ * Stages: 1. as vtkFilteredShadowMapPass; 2. receivers; 3. the mask; 4. the blur along x, 5. along y.
  * Textures: see vtkFilteredShadowMapPass; masks, two of R32F, viewport size.
  */
 

@@ -72,7 +72,7 @@ void vtkFilteredShadowMapPass::ActivateLightData(vtkShadowFrame& frame)
   this->Superclass::ActivateLightData(frame);
   for (auto* pattern : { this->Search.get(), this->Filter.get() })
   {
-    if (pattern->GetCount() > 0)
+    if (!this->Hard && pattern->GetCount() > 0)
     {
       pattern->GetTexture().Activate(frame.Window);
     }

@@ -10,11 +10,11 @@
  * Leaving out (parameter "skipping"): a depth pyramid tells receivers that are surely lit or surely
  * dark. They need no look-up; the picture is the same without.
  *
- * Stages: 1. a map and its pyramid where light or casters changed; 2. receivers; 3. the filter, once
- * a pixel. Textures: see vtkShadowMaps; patterns, RGBA32F, a texel a point.
+ * Stages: 1. a map and its pyramid where light or casters changed; 2. the filter, in each
+ * prop's shader, or with evaluation=screen once a pixel of the receivers. Textures: see vtkShadowMaps; patterns, RGBA32F, a texel a point.
  *
  * Debug views: "map"; "penumbra-width", world units; where blockers are searched, "blocker-depth",
- * their mean distance from the light, world units. White is GetStatistics()'s "debugViewWhite".
+ * their mean distance from the light, world units (0 where skipping needs neither). White is GetStatistics()'s "debugViewWhite".
  */
 
 #ifndef vtkFilteredShadowMapPass_h

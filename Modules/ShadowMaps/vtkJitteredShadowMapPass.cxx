@@ -84,8 +84,9 @@ void vtkJitteredShadowMapPass::UpdateJitter(vtkShadowFrame& frame)
     {
       for (int i = 0; i < samples; ++i)
       {
-        // From the outer ring inwards.
-        const double turn = (i % sectors + random()) / sectors;
+        // From the outer ring inwards; those of a pair are opposite.
+        const int sector = i % sectors / 2 + i % 2 * (sectors / 2);
+        const double turn = (sector + random()) / sectors;
         const double radius = std::sqrt((rings - 1 - i / sectors + random()) / rings);
         const glm::vec2 point(radius * GoAround(turn, form == 1));
         glm::vec4& pair = pairs[(form * samples / 2 + i / 2) * Tile * Tile + texel];
@@ -130,7 +131,7 @@ std::string vtkJitteredShadowMapPass::GetFilterGLSL()
 void vtkJitteredShadowMapPass::ActivateLightData(vtkShadowFrame& frame)
 {
   this->Superclass::ActivateLightData(frame);
-  if (this->Jitter->GetHandle())
+  if (!this->Hard)
   {
     this->Jitter->Activate(frame.Window);
   }

@@ -25,7 +25,7 @@ vtkShadowParameter Skipping()
 vtkShadowParameter Width()
 {
   return { "width", Type::Real, "0.16", 0, 4, {}, "of the casters' extent",
-    "Assumed distance from blocker to receiver, as a share of the diagonal of the box around the "
+    "Assumed distance from blocker to receiver, as a share of the diameter of a sphere around the "
     "casters: penumbrae are as wide everywhere as that makes them",
     {} };
 }
@@ -44,7 +44,7 @@ vtkShadowParameter Samples(const char* value, std::vector<std::string> presets)
 
 vtkShadowParameter JitteredSamples(const char* value, std::vector<std::string> presets)
 {
-  return { "samples", Type::Integer, value, 4, 1024, {}, "",
+  return { "samples", Type::Integer, value, 4, 256, {}, "",
     "Compares of a receiver in a penumbra, rounded up to whole rings; those of the outer ring "
     "decide "
     "whether it is in one",

@@ -3,19 +3,18 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShadowSampling.h"
 
-#include <glm/gtc/constants.hpp>
+#include <glm/common.hpp>
 
 //------------------------------------------------------------------------------
 void vtkShadowMapPattern::SetGrid(
   vtkOpenGLRenderWindow* window, vtkMTimeType time, int n, double scale)
 {
-  const double disk = 0.5 * glm::root_pi<double>();
   std::vector<glm::vec4> texels;
   for (int i = 0; i < n * n; ++i)
   {
-    const glm::dvec2 p =
-      scale * ((2.0 * glm::dvec2(i % n, i / n) + 1.0) / static_cast<double>(n) - 1.0);
-    texels.emplace_back(glm::dvec4(disk * p, p));
+    const glm::dvec2 unit = (glm::dvec2(i % n, i / n) + 0.5) / static_cast<double>(n);
+    texels.emplace_back(
+      scale * glm::dvec4(vtkShadowSampling::ConcentricDisk(unit), 2.0 * unit - 1.0));
   }
   this->Points.UploadBuffer(window, texels);
   this->Count = n * n;
@@ -26,11 +25,18 @@ void vtkShadowMapPattern::SetGrid(
 void vtkShadowMapPattern::SetSobol(
   vtkOpenGLRenderWindow* window, vtkMTimeType time, int count, bool centre)
 {
-  std::vector<glm::vec4> texels(centre ? 1 : 0, glm::vec4(0.0f));
-  for (const auto& bits : vtkShadowSampling::Sobol(centre ? count - 1 : count))
+  std::vector<glm::vec4> texels;
+  for (auto bits : vtkShadowSampling::Sobol(count))
   {
-    const glm::dvec2 unit = vtkShadowSampling::ToUnit(bits);
+    // From the middle on, so that few of them are centred too; then all by half a cell.
+    bits.X ^= 1u << 31;
+    bits.Y ^= 1u << 31;
+    const glm::dvec2 unit = glm::fract(vtkShadowSampling::ToUnit(bits) + 0.5 / count);
     texels.emplace_back(glm::dvec4(vtkShadowSampling::ConcentricDisk(unit), 2.0 * unit - 1.0));
+  }
+  if (centre)
+  {
+    texels[0] = glm::vec4(0.0f);
   }
   this->Points.UploadBuffer(window, texels);
   this->Count = count;

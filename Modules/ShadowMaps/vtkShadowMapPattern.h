@@ -14,9 +14,9 @@ class VTKSOFTSHADOWSSHADOWMAPS_EXPORT vtkShadowMapPattern
 public:
   /** Whether it was made at another time than this one of parameters, or not yet. */
   bool IsStale(vtkMTimeType time) const { return !this->Points.GetHandle() || time != this->Time; }
-  /** n x n cell centres of the square; for the disk, of the square that is as large. */
+  /** n x n cell centres of the square; for the disk, mapped to it with their areas. */
   void SetGrid(vtkOpenGLRenderWindow* window, vtkMTimeType time, int n, double scale = 1.0);
-  /** Sobol's first points over disk and square (see vtkShadowSampling), after the centre if wanted. */
+  /** Sobol's points over disk and square (see vtkShadowSampling), the first in the centre if wanted. */
   void SetSobol(vtkOpenGLRenderWindow* window, vtkMTimeType time, int count, bool centre);
 
   vtkShadowTexture& GetTexture() { return this->Points; }

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <tuple>
 
 namespace
@@ -93,6 +94,7 @@ bool vtkShadowMaps::Update(vtkShadowFrame& frame, const vtkShadowMapSettings& se
                    frame.Casters->GetVersion() != this->CasterVersion ||
                    this->Lights.size() != frame.Lights.size();
   this->Current = settings;
+  this->ReleaseUnused(frame.Window);
   this->CasterVersion = frame.Casters->GetVersion();
   const bool receiversMoved = frame.Casters->GetReceiverVersion() != this->ReceiverVersion;
   this->ReceiverVersion = frame.Casters->GetReceiverVersion();
@@ -137,11 +139,9 @@ bool vtkShadowMaps::Update(vtkShadowFrame& frame, const vtkShadowMapSettings& se
     // Nothing can be shadowed by these lights.
     this->Batches = 1;
     this->BatchFirst = this->BatchCount = 0;
-    this->Maps.Release(frame.Window);
-    this->Maps.Allocate(frame.Window, vtkShadowTexture::Format::Depth, 1, 1, 1);
-    this->Pyramid.Allocate(frame.Window, this->Maps);
     this->Few = true;
-    return true;
+    return this->Maps.Allocate(frame.Window, vtkShadowTexture::Format::Depth, 1, 1, 1) &&
+           (!settings.Neighbours || this->Pyramid.Allocate(frame.Window, this->Maps));
   }
 
   int mostLayers = 256;
@@ -154,7 +154,8 @@ bool vtkShadowMaps::Update(vtkShadowFrame& frame, const vtkShadowMapSettings& se
   const unsigned long before = this->Maps.GetGeneration();
   if (!this->Maps.Allocate(frame.Window, vtkShadowTexture::Format::Depth, settings.Resolution,
         settings.Resolution, this->BatchSize) ||
-      (settings.Neighbours && !this->Pyramid.Allocate(frame.Window, this->Maps)))
+      (settings.Neighbours && !this->Pyramid.Allocate(frame.Window, this->Maps)) ||
+      (settings.Midpoint && !this->AllocateLayers(frame.Window)))
   {
     this->Release(frame.Window);
     return false;
@@ -274,22 +275,42 @@ void vtkShadowMaps::ClearLayer(vtkOpenGLState* state)
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowMaps::DrawMidpoint(vtkShadowFrame& frame, int index)
+bool vtkShadowMaps::AllocateLayers(vtkOpenGLRenderWindow* window)
 {
   using Format = vtkShadowTexture::Format;
-  const View& view = this->Views[index];
   const int side = this->Current.Resolution;
+  bool made = true;
+  for (int layer = 0; layer < 2; ++layer)
+  {
+    made = made && this->Layers[layer].Allocate(window, Format::Depth, side, side, 1) &&
+           this->Sides[layer].Allocate(window, Format::Float1, side, side, 1);
+  }
+  return made;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowMaps::ReleaseUnused(vtkOpenGLRenderWindow* window)
+{
+  if (!this->Current.Neighbours)
+  {
+    this->Pyramid.Release(window);
+  }
+  for (int layer = 0; !this->Current.Midpoint && layer < 2; ++layer)
+  {
+    this->Layers[layer].Release(window);
+    this->Sides[layer].Release(window);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowMaps::DrawMidpoint(vtkShadowFrame& frame, int index)
+{
+  const View& view = this->Views[index];
   vtkOpenGLState* state = frame.Window->GetState();
   vtkOpenGLState::ScopedglColorMask colorMask(state);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   for (int layer = 0; layer < 2; ++layer)
   {
-    if (!this->Layers[layer].Allocate(frame.Window, Format::Depth, side, side, 1) ||
-        !this->Sides[layer].Allocate(frame.Window, Format::Float1, side, side, 1))
-    {
-      // The map stays empty: all is lit. GL has too little memory for anything else too.
-      return;
-    }
     std::string source = vtkShadowMapPeelFS;
     if (layer == 1)
     {
@@ -305,16 +326,24 @@ void vtkShadowMaps::DrawMidpoint(vtkShadowFrame& frame, int index)
       this->Layers[0].Activate(frame.Window);
       this->Sides[0].Activate(frame.Window);
     }
-    frame.Casters->Draw(frame.Window, view.Frustum.WCToClip, this->Lights[view.Light].Casters,
-      source.c_str(),
-      [&](vtkShaderProgram* program)
+    for (const bool sheet : { false, true })
+    {
+      std::vector<int> casters;
+      const auto& all = this->Lights[view.Light].Casters;
+      std::copy_if(all.begin(), all.end(), std::back_inserter(casters),
+        [&](int i) { return frame.Casters->Get()[i].Mesh->Sheet == sheet; });
+      const auto setParameters = [&](vtkShaderProgram* program)
       {
+        program->SetUniformi("shadowSheet", sheet);
         if (layer == 1)
         {
           program->SetUniformi("shadowFirstDepth", this->Layers[0].GetUnit());
           program->SetUniformi("shadowFirstSide", this->Sides[0].GetUnit());
         }
-      });
+      };
+      frame.Casters->Draw(
+        frame.Window, view.Frustum.WCToClip, casters, source.c_str(), setParameters);
+    }
   }
   this->Sides[0].Deactivate(frame.Window);
   this->Layers[1].Activate(frame.Window);

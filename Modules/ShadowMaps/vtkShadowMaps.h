@@ -98,6 +98,8 @@ private:
   void Draw(vtkShadowFrame& frame, int first, int count);
   /** Clear the layer that is bound, and keep its border so where there are look-ups beyond it. */
   void ClearLayer(vtkOpenGLState* state);
+  bool AllocateLayers(vtkOpenGLRenderWindow* window);
+  void ReleaseUnused(vtkOpenGLRenderWindow* window);
   void DrawMidpoint(vtkShadowFrame& frame, int view);
   void AddKernelVectors(const vtkShadowLight& light, const View& view, double reach);
   void UpdateViewVectors(vtkShadowFrame& frame, bool changed);
@@ -112,7 +114,7 @@ private:
   int BatchFirst = 0; // the view in layer 0
   int BatchCount = 0;
   bool Few = false;                   // views are uniforms
-  std::vector<glm::vec4> ViewVectors; // of vtkShadowMapsFS.glsl, for the camera of this frame
+  std::vector<glm::vec4> ViewVectors; // of vtkShadowMapViewsFS.glsl, for the camera of this frame
   glm::dmat4 VCToWC{ 0.0 };           // that camera
   vtkShadowTexture Maps;
   vtkShadowTexture ViewBuffer; // where the views are no uniforms

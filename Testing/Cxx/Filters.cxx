@@ -132,7 +132,7 @@ SHADOW_TEST(Filters, PenumbraFollowsTheLight, Each)
 
 //------------------------------------------------------------------------------
 // A sheet has no second side: its midpoint map is its map. Nor have two sheets, one under the other,
-// that face the same way: the middle between them is nowhere. A box has: its midpoint lies within.
+// whichever way they face: the middle between them is nowhere. A box has: its midpoint lies within.
 SHADOW_TEST(Filters, MidpointFallsBack, Each)
 {
   if (!ShadowStage::HasParameter(technique, "midpoint"))
@@ -154,7 +154,8 @@ SHADOW_TEST(Filters, MidpointFallsBack, Each)
           else
           {
             stage.AddQuad({ -1.0, -1.0, 1.8 }, { 1.5, 0.0, 0.0 }, { 0.0, 1.5, 0.0 });
-            stage.AddQuad({ -0.5, -0.5, 0.9 }, { 1.5, 0.0, 0.0 }, { 0.0, 1.5, 0.0 });
+            // Whichever side it shows.
+            stage.AddQuad({ -0.5, -0.5, 0.9 }, { 0.0, 1.5, 0.0 }, { 1.5, 0.0, 0.0 });
           }
           stage.AddLight(LightKind::Rectangle);
           stage.LookAt({ 3.5, -6.5, 4.5 }, { 0.2, 0.2, 0.3 });

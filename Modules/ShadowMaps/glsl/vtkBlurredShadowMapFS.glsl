@@ -29,7 +29,14 @@ void shadowFootprint(vec3 positionVC, out mat3 toLight)
   vec3 directionVC = normalize(towardsVC);
   vec3 uVC = shadowLightUVC[shadowLight].xyz;
   vec3 vVC = shadowLightVVC[shadowLight].xyz;
-  vec3 axisVC = normalize(cross(uVC, vVC));
+  // A rectangle of no height is a line, which has no axis of its own.
+  float lengthU = length(uVC);
+  float lengthV = length(vVC);
+  float longer = max(max(lengthU, lengthV), 1e-30);
+  vec3 axisVC = cross(uVC / longer, vVC / longer) * (longer / max(min(lengthU, lengthV), 1e-30));
+  axisVC = dot(axisVC, axisVC) < 0.5 ? directionVC : normalize(axisVC);
+  vVC = lengthV < 1e-3 * longer ? 1e-3 * longer * cross(axisVC, uVC / longer) : vVC;
+  uVC = lengthU < 1e-3 * longer ? 1e-3 * longer * cross(vVC / longer, axisVC) : uVC;
   if (shadowLightUVC[shadowLight].w > 0.0)
   {
     // A sphere's disk faces the receiver.
@@ -41,7 +48,8 @@ void shadowFootprint(vec3 positionVC, out mat3 toLight)
   }
   float cosine = dot(directionVC, axisVC);
   cosine = abs(cosine) < 0.1 ? (cosine < 0.0 ? -0.1 : 0.1) : cosine;
-  float distance = place.w > 0.0 ? abs(dot(towardsVC, axisVC)) : 1.0;
+  float distance =
+    place.w > 0.0 ? max(abs(dot(towardsVC, axisVC)), 1e-6 * length(towardsVC)) : 1.0;
   float separation = place.w > 0.0 ? min(shadowSeparation, distance / 3.0) : shadowSeparation;
   float ratio = place.w > 0.0 ? separation / (distance - separation) : separation;
   // Lengths are moved along the direction to the light into its plane.
@@ -66,10 +74,14 @@ vec3 shadowHorizon(vec3 positionVC, vec3 normalVC)
       dot(normalVC, shadowLightVVC[shadowLight].xyz))));
 }
 
+float shadowMost(vec3 horizon)
+{
+  return shadowLightVVC[shadowLight].w > 0.0 ? horizon.y + horizon.z : length(horizon.yz);
+}
+
 bool shadowSeesAll(vec3 horizon)
 {
-  bool square = shadowLightVVC[shadowLight].w > 0.0;
-  return horizon.x >= (square ? horizon.y + horizon.z : length(horizon.yz));
+  return horizon.x >= shadowMost(horizon);
 }
 
 // The share of the light above the horizon: of a disk a segment, of a rectangle the distribution of
@@ -140,7 +152,9 @@ void main()
         float turn = max(dot(normalVC, tapNormalVC), 0.0);
         float weight = exp(-0.5 * (dot(st, st) + off * off)) * turn * turn;
         // What its own surface hides there is no shadow here.
-        bool hidden = tapVC.w > 0.0 && !own && !shadowSeesAll(shadowHorizon(tapVC.xyz, tapNormalVC));
+        vec3 tapHorizon = shadowHorizon(tapVC.xyz, tapNormalVC);
+        bool hidden = tapVC.w > 0.0 && (tapHorizon.x < -shadowMost(tapHorizon) ||
+          (!own && !shadowSeesAll(tapHorizon)));
         weight = tapVC.w == 0.0 || hidden ? 0.0 : weight;
 #endif
         weight = inside ? weight : 0.0;

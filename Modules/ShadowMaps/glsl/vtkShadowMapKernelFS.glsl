@@ -17,7 +17,7 @@
 // constant width assume, window over texels of one look-up; 10: lengths of the half axes along the
 // view's axis, radius of a sphere; 11: low x, low y, high x, high y that look-ups have to keep within.
 //
-// Each technique defines `float shadowFilter(shadowKernel kernel)`.
+// Each technique defines `float shadowFilter(int view, shadowKernel kernel)`.
 
 uniform sampler2DArray shadowDepths; // the maps, as they are
 
@@ -67,7 +67,10 @@ bool shadowFindKernel(int light, int view, vec3 positionVC, vec3 normalVC, out s
   kernel.scale = vec2(measures.x, form.z);
 
   vec3 towardsVC = kernel.positional ? placeVC - receiverVC.xyz : placeVC;
-  vec2 tangent = -vec2(dot(windowX, towardsVC), dot(windowY, towardsVC)) / (measures.yz * kernel.w);
+  // Where it is, not where it is moved to: faces of a cube must not disagree.
+  vec3 awayVC = kernel.positional ? positionVC - placeVC : -placeVC;
+  vec2 tangent = vec2(dot(windowX, awayVC), dot(windowY, awayVC)) /
+    (measures.yz * max(dot(SHADOW_VIEW(view, 3), vec4(positionVC, 1.0)), 1e-30));
   vec4 along = SHADOW_VIEW(view, 10);
   float ray = sqrt(1.0 + dot(tangent, tangent));
   vec2 alongUV = form.y > 0.5 ? -along.z * tangent / ray : along.xy;
@@ -84,14 +87,15 @@ bool shadowFindKernel(int light, int view, vec3 positionVC, vec3 normalVC, out s
   float height = max(dot(normalVC, towardsVC), 1e-4 * kernel.w);
   float self = shadowSelf ? 1.0 : 0.0;
   kernel.slopeLC = self * planeLC / height;
-  kernel.wobble = self * shadowNormalRounding * measures.x * max(measures.y, measures.z) / height;
+  kernel.wobble = self * shadowNormalRounding * measures.x * max(measures.y, measures.z) / height *
+    dot(normalVC, normalVC); // lines and points have none
   // The axes are seen along the receiver's direction: the tilt takes that back.
   float above = dot(normalVC, kernel.positional ? placeVC - positionVC : placeVC);
   kernel.horizon = shadowSelf ? vec3(above, dot(planeLC, kernel.axisULC) - kernel.tilt.x * above,
     dot(planeLC, kernel.axisVLC) - kernel.tilt.y * above) : vec3(1.0, 0.0, 0.0);
   kernel.horizonCuts = kernel.horizon.x < abs(kernel.horizon.y) + abs(kernel.horizon.z);
 
-  bool inside = form.x < 0.5 || max(abs(tangent.x), abs(tangent.y)) <= 1.0;
+  bool inside = form.x < 0.5 || max(abs(tangent.x), abs(tangent.y)) <= 1.000001;
   return w > 0.0 && kernel.receiverLC.z > 0.0 && inside;
 }
 
@@ -156,9 +160,9 @@ float shadowLookUp(shadowKernel kernel, float reference, float reach, vec2 st)
 // Within a texel one is as good as all; but not where the horizon, an edge of the light's own, cuts it.
 int shadowCount(shadowKernel kernel, vec2 extent, int most)
 {
-  vec2 texels = 2.0 * extent * float(shadowPyramidResolution);
+  vec2 texels = max(2.0 * extent * float(shadowPyramidResolution), 0.5);
   float wanted = 4.0 * texels.x * texels.y;
-  int count = wanted < 1.0 ? 1 : min(most, 1 << int(min(ceil(log2(wanted)), 20.0)));
+  int count = wanted <= 1.0 ? 1 : min(most, 1 << int(min(ceil(log2(wanted)), 20.0)));
   return kernel.horizonCuts ? most : count;
 }
 

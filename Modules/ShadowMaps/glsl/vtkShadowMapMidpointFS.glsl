@@ -15,7 +15,7 @@ void main()
   float first = texelFetch(shadowFirstDepth, texel, 0).r;
   float second = texelFetch(shadowSecondDepth, texel, 0).r;
   float depth = first;
-  if (second < 1.0 && texelFetch(shadowSides, texel, 0).r > 0.5)
+  if (second < 1.0 && texelFetch(shadowSides, texel, 0).r > 0.75)
   {
     vec2 depths = vec2(first, second);
     vec2 distances = shadowDepthForm.y / (shadowDepthForm.x - depths);

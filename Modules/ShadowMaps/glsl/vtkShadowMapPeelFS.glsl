@@ -5,6 +5,8 @@
 
 //VTK::Output::Dec
 
+uniform bool shadowSheet; // the casters are flat: no face of theirs ends a body
+
 #ifdef SHADOW_SECOND
 uniform sampler2DArray shadowFirstDepth;
 uniform sampler2DArray shadowFirstSide;
@@ -12,7 +14,7 @@ uniform sampler2DArray shadowFirstSide;
 
 void main()
 {
-  float side = gl_FrontFacing ? 1.0 : 0.0;
+  float side = shadowSheet ? 0.5 : (gl_FrontFacing ? 1.0 : 0.0);
 #ifdef SHADOW_SECOND
   ivec3 texel = ivec3(ivec2(gl_FragCoord.xy), 0);
   if (gl_FragCoord.z <= texelFetch(shadowFirstDepth, texel, 0).r)

@@ -46,7 +46,9 @@ float shadowFindBlockers(int view, shadowKernel kernel, out float delta)
     vec2 offsetLC = shadowOffset(kernel, reach, st);
     float depth = texture(shadowDepths, vec3(kernel.receiverLC.xy + offsetLC, kernel.layer)).r;
     float nearer = kernel.receiverLC.z - depth;
-    bool blocks = depth < shadowReferenceAt(kernel, reference, offsetLC) && size * reach <= nearer;
+    float tilted = dot(st, kernel.tilt);
+    bool blocks = depth < shadowReferenceAt(kernel, reference, offsetLC) &&
+      size * reach <= nearer * (1.0 - tilted) + reach * tilted;
     count += blocks ? 1.0 : 0.0;
     sum += blocks ? nearer : 0.0;
   }
