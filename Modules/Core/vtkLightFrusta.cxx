@@ -361,7 +361,6 @@ std::vector<vtkLightView> vtkLightFrusta::GetDirectionalViews(const glm::dvec3& 
   view.WindowX = frame.X * size.x;
   view.WindowY = frame.Y * size.y;
   view.DepthScale = 1.0 / size.z;
-  view.DepthRange = size.z;
   return { view };
 }
 
@@ -504,7 +503,7 @@ bool vtkLightFrusta::AddPerspectiveView(const glm::dvec3& position, const glm::d
   view.WindowX = frame.X * size.x;
   view.WindowY = frame.Y * size.y;
   view.DepthScale = zFar * zNear / (zFar - zNear);
-  view.DepthRange = zFar - zNear;
+  view.DepthConstant = zFar / (zFar - zNear);
   views.push_back(view);
   return true;
 }

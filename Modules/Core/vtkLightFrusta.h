@@ -43,12 +43,11 @@ struct vtkLightView
   glm::dvec3 WindowX{ 0.0 };
   glm::dvec3 WindowY{ 0.0 };
   /**
-   * Depth in [0,1] is a constant minus this over w, or, for a directional light, plus this times the
-   * distance along the axis.
+   * Depth in [0,1] is DepthConstant - DepthScale / w, or, for a directional light, rises by DepthScale
+   * with the distance along the axis.
    */
   double DepthScale = 0.0;
-  /** Depth of what the view holds, along its axis, in world units. */
-  double DepthRange = 0.0;
+  double DepthConstant = 0.0;
 };
 
 class VTKSOFTSHADOWSCORE_EXPORT vtkLightFrusta

@@ -237,7 +237,8 @@ protected:
   //@}
 
   //@{
-  /** Values of declared parameters. */
+  /** Whether the technique declares a parameter; and values of declared ones. */
+  bool HasParameter(const std::string& name) const;
   int GetInteger(const std::string& name);
   double GetReal(const std::string& name);
   bool GetBoolean(const std::string& name);

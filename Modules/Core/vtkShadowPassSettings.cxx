@@ -217,6 +217,12 @@ void vtkShadowPass::SetQuality(int level)
 }
 
 //------------------------------------------------------------------------------
+bool vtkShadowPass::HasParameter(const std::string& name) const
+{
+  return this->FindParameter(name) != nullptr;
+}
+
+//------------------------------------------------------------------------------
 int vtkShadowPass::GetInteger(const std::string& name)
 {
   return static_cast<int>(this->GetReal(name));

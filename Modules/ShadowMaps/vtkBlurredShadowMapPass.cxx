@@ -39,19 +39,13 @@ vtkBlurredShadowMapPass::~vtkBlurredShadowMapPass()
 //------------------------------------------------------------------------------
 bool vtkBlurredShadowMapPass::UpdateLightData(vtkShadowFrame& frame)
 {
-  if (!this->vtkFilteredShadowMapPass::UpdateLightData(frame))
+  if (!this->Superclass::UpdateLightData(frame))
   {
     return false;
   }
   if (this->Hard)
   {
     return true;
-  }
-  const vtkMTimeType time = this->GetParameterTime();
-  if (this->Filter->IsStale(time))
-  {
-    // The mask is smooth over the distance of two points of the blur.
-    this->Filter->SetGrid(frame.Window, time, 3, 1.0 / 7.0);
   }
   for (auto& mask : this->Masks)
   {
@@ -63,6 +57,13 @@ bool vtkBlurredShadowMapPass::UpdateLightData(vtkShadowFrame& frame)
     }
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkBlurredShadowMapPass::UpdatePatterns(vtkShadowFrame& frame)
+{
+  // The mask is smooth over the distance of two points of the blur.
+  this->Filter->SetGrid(frame.Window, 3, 1.0 / 7.0);
 }
 
 //------------------------------------------------------------------------------

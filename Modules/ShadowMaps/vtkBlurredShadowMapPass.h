@@ -32,6 +32,7 @@ protected:
   ~vtkBlurredShadowMapPass() override;
 
   bool UpdateLightData(vtkShadowFrame& frame) override;
+  void UpdatePatterns(vtkShadowFrame& frame) override;
   std::string GetKernelDefinitions() override;
   bool CanEvaluateForward() override { return this->Hard; }
   void FillVisibility(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer) override;

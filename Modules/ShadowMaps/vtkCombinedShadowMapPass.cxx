@@ -6,7 +6,6 @@
 #include "vtkShadowMapJitterFS.h"
 #include "vtkShadowMapPattern.h"
 #include "vtkShadowMapSearchFS.h"
-#include "vtkShadowMaps.h"
 
 vtkStandardNewMacro(vtkCombinedShadowMapPass);
 
@@ -17,24 +16,10 @@ vtkCombinedShadowMapPass::vtkCombinedShadowMapPass()
 }
 
 //------------------------------------------------------------------------------
-bool vtkCombinedShadowMapPass::UpdateLightData(vtkShadowFrame& frame)
+void vtkCombinedShadowMapPass::UpdatePatterns(vtkShadowFrame& frame)
 {
-  if (!this->Superclass::UpdateLightData(frame))
-  {
-    return false;
-  }
-  const vtkMTimeType time = this->GetParameterTime();
-  if (!this->Hard && this->Search->IsStale(time))
-  {
-    this->Search->SetSobol(frame.Window, time, this->GetInteger("search"), true);
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkCombinedShadowMapPass::SetMapSettings(vtkShadowMapSettings& settings)
-{
-  this->vtkFilteredShadowMapPass::SetMapSettings(settings);
+  this->Superclass::UpdatePatterns(frame);
+  this->Search->SetSobol(frame.Window, this->GetInteger("search"), true);
 }
 
 //------------------------------------------------------------------------------

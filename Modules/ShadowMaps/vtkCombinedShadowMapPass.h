@@ -25,8 +25,7 @@ protected:
   vtkCombinedShadowMapPass();
   ~vtkCombinedShadowMapPass() override = default;
 
-  bool UpdateLightData(vtkShadowFrame& frame) override;
-  void SetMapSettings(vtkShadowMapSettings& settings) override;
+  void UpdatePatterns(vtkShadowFrame& frame) override;
   std::string GetFilterGLSL() override;
 
 private:

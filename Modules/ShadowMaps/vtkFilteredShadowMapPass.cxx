@@ -38,6 +38,11 @@ bool vtkFilteredShadowMapPass::UpdateLightData(vtkShadowFrame& frame)
   {
     return false;
   }
+  if (!this->Hard && this->PatternTime != this->GetParameterTime())
+  {
+    this->UpdatePatterns(frame);
+    this->PatternTime = this->GetParameterTime();
+  }
   if (this->Maps->IsOverlapExceeded())
   {
     this->WarnOnce("a light is among its casters and larger than three fifths of its distance from "
@@ -52,6 +57,10 @@ void vtkFilteredShadowMapPass::SetMapSettings(vtkShadowMapSettings& settings)
   // Without a size, the map of map-hard.
   settings.Neighbours = !this->Hard;
   settings.Midpoint = settings.Midpoint && !this->Hard;
+  if (this->HasParameter("width"))
+  {
+    settings.Separation = this->GetReal("width");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -132,6 +141,7 @@ void vtkFilteredShadowMapPass::ReleaseLightData(vtkRenderWindow* window)
   auto* glWindow = vtkOpenGLRenderWindow::SafeDownCast(window);
   this->Search->GetTexture().Release(glWindow);
   this->Filter->GetTexture().Release(glWindow);
+  this->PatternTime = 0;
   this->Superclass::ReleaseLightData(window);
 }
 

@@ -11,10 +11,12 @@
  * dark. They need no look-up; the picture is the same without.
  *
  * Stages: 1. a map and its pyramid where light or casters changed; 2. the filter, in each
- * prop's shader, or with evaluation=screen once a pixel of the receivers. Textures: see vtkShadowMaps; patterns, RGBA32F, a texel a point.
+ * prop's shader, or with evaluation=screen once a pixel of the receivers. Textures: see
+ * vtkShadowMaps; patterns, RGBA32F, a texel a point.
  *
  * Debug views: "map"; "penumbra-width", world units; where blockers are searched, "blocker-depth",
- * their mean distance from the light, world units (0 where skipping needs neither). White is GetStatistics()'s "debugViewWhite".
+ * their mean distance from the light, world units (0 where skipping needs neither). White is
+ * GetStatistics()'s "debugViewWhite".
  */
 
 #ifndef vtkFilteredShadowMapPass_h
@@ -39,6 +41,8 @@ protected:
   virtual std::string GetFilterGLSL() = 0;
   /** `#define`s that it wants of vtkShadowMapKernelFS.glsl. */
   virtual std::string GetKernelDefinitions() { return ""; }
+  /** Make the patterns anew: a parameter has changed, or they were released. */
+  virtual void UpdatePatterns(vtkShadowFrame& frame) = 0;
 
   std::string FindUnsupported(vtkRenderWindow* window) override;
   bool UpdateLightData(vtkShadowFrame& frame) override;
@@ -59,6 +63,8 @@ protected:
   std::unique_ptr<vtkShadowMapPattern> Filter;
 
 private:
+  vtkMTimeType PatternTime = 0; // of the parameters that the patterns were made from
+
   vtkFilteredShadowMapPass(const vtkFilteredShadowMapPass&) = delete;
   void operator=(const vtkFilteredShadowMapPass&) = delete;
 };

@@ -8,7 +8,6 @@
 #include "vtkShadowGL.h"
 #include "vtkShadowMapConstantFS.h"
 #include "vtkShadowMapJitterFS.h"
-#include "vtkShadowMaps.h"
 #include "vtkShadowSampling.h"
 
 #include <glm/gtc/constants.hpp>
@@ -60,7 +59,7 @@ vtkJitteredShadowMapPass::~vtkJitteredShadowMapPass()
 }
 
 //------------------------------------------------------------------------------
-void vtkJitteredShadowMapPass::UpdateJitter(vtkShadowFrame& frame)
+void vtkJitteredShadowMapPass::UpdatePatterns(vtkShadowFrame& frame)
 {
   // As many sectors as rings, or up to four times as many.
   const int wanted = this->GetInteger("samples");
@@ -71,10 +70,6 @@ void vtkJitteredShadowMapPass::UpdateJitter(vtkShadowFrame& frame)
   }
   const int rings = (wanted + sectors - 1) / sectors;
   const int samples = sectors * rings;
-  if (this->Jitter->GetHandle() && samples == this->Samples)
-  {
-    return;
-  }
   std::uint32_t seed = 0;
   const auto random = [&seed] { return vtkShadowSampling::Hash(seed++) / 4294967296.0; };
   std::vector<glm::vec4> pairs(static_cast<std::size_t>(samples) * Tile * Tile);
@@ -98,27 +93,6 @@ void vtkJitteredShadowMapPass::UpdateJitter(vtkShadowFrame& frame)
   this->Jitter->UploadBuffer(frame.Window, pairs);
   this->Samples = samples;
   this->Estimates = sectors;
-}
-
-//------------------------------------------------------------------------------
-bool vtkJitteredShadowMapPass::UpdateLightData(vtkShadowFrame& frame)
-{
-  if (!this->Superclass::UpdateLightData(frame))
-  {
-    return false;
-  }
-  if (!this->Hard)
-  {
-    this->UpdateJitter(frame);
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkJitteredShadowMapPass::SetMapSettings(vtkShadowMapSettings& settings)
-{
-  this->Superclass::SetMapSettings(settings);
-  settings.Separation = this->GetReal("width");
 }
 
 //------------------------------------------------------------------------------

@@ -6,7 +6,6 @@
 #include "vtkShadowMapConstantFS.h"
 #include "vtkShadowMapPattern.h"
 #include "vtkShadowMapPatternFS.h"
-#include "vtkShadowMaps.h"
 
 vtkStandardNewMacro(vtkPercentageCloserFilteringPass);
 
@@ -17,25 +16,9 @@ vtkPercentageCloserFilteringPass::vtkPercentageCloserFilteringPass()
 }
 
 //------------------------------------------------------------------------------
-bool vtkPercentageCloserFilteringPass::UpdateLightData(vtkShadowFrame& frame)
+void vtkPercentageCloserFilteringPass::UpdatePatterns(vtkShadowFrame& frame)
 {
-  if (!this->Superclass::UpdateLightData(frame))
-  {
-    return false;
-  }
-  const vtkMTimeType time = this->GetParameterTime();
-  if (!this->Hard && this->Filter->IsStale(time))
-  {
-    this->Filter->SetGrid(frame.Window, time, this->GetInteger("kernel"));
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkPercentageCloserFilteringPass::SetMapSettings(vtkShadowMapSettings& settings)
-{
-  this->Superclass::SetMapSettings(settings);
-  settings.Separation = this->GetReal("width");
+  this->Filter->SetGrid(frame.Window, this->GetInteger("kernel"));
 }
 
 //------------------------------------------------------------------------------

@@ -26,8 +26,7 @@ protected:
   vtkPercentageCloserFilteringPass();
   ~vtkPercentageCloserFilteringPass() override = default;
 
-  bool UpdateLightData(vtkShadowFrame& frame) override;
-  void SetMapSettings(vtkShadowMapSettings& settings) override;
+  void UpdatePatterns(vtkShadowFrame& frame) override;
   std::string GetFilterGLSL() override;
 
 private:

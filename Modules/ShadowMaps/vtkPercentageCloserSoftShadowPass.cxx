@@ -16,19 +16,10 @@ vtkPercentageCloserSoftShadowPass::vtkPercentageCloserSoftShadowPass()
 }
 
 //------------------------------------------------------------------------------
-bool vtkPercentageCloserSoftShadowPass::UpdateLightData(vtkShadowFrame& frame)
+void vtkPercentageCloserSoftShadowPass::UpdatePatterns(vtkShadowFrame& frame)
 {
-  if (!this->Superclass::UpdateLightData(frame))
-  {
-    return false;
-  }
-  const vtkMTimeType time = this->GetParameterTime();
-  if (!this->Hard && this->Search->IsStale(time))
-  {
-    this->Search->SetSobol(frame.Window, time, this->GetInteger("search"), true);
-    this->Filter->SetSobol(frame.Window, time, this->GetInteger("samples"), false);
-  }
-  return true;
+  this->Search->SetSobol(frame.Window, this->GetInteger("search"), true);
+  this->Filter->SetSobol(frame.Window, this->GetInteger("samples"), false);
 }
 
 //------------------------------------------------------------------------------

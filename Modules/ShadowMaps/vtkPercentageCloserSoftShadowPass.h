@@ -28,7 +28,7 @@ protected:
   vtkPercentageCloserSoftShadowPass();
   ~vtkPercentageCloserSoftShadowPass() override = default;
 
-  bool UpdateLightData(vtkShadowFrame& frame) override;
+  void UpdatePatterns(vtkShadowFrame& frame) override;
   std::string GetFilterGLSL() override;
 
 private:

@@ -46,8 +46,7 @@ vtkShadowParameter JitteredSamples(const char* value, std::vector<std::string> p
 {
   return { "samples", Type::Integer, value, 4, 256, {}, "",
     "Compares of a receiver in a penumbra, rounded up to whole rings; those of the outer ring "
-    "decide "
-    "whether it is in one",
+    "decide whether it is in one",
     std::move(presets) };
 }
 
@@ -74,8 +73,7 @@ vtkShadowTechnique Make(const char* name, const char* title, const char* classNa
                "caster's edge is missing.",
     "A textured light counts as evenly bright.",
     "A light among its casters: what it casts further than 31 degrees beyond a cube's face is "
-    "drawn "
-    "in." };
+    "drawn in." };
   return t;
 }
 
@@ -105,8 +103,7 @@ vtkShadowTechnique Blurred()
   t.New = [] { return static_cast<vtkShadowPass*>(vtkBlurredShadowMapPass::New()); };
   t.Parameters.push_back({ "blur", Type::Choice, "aware", 0, 0, { "aware", "plain" }, "",
     "Aware of depth and normal, as wide as the light's footprint; or plain, 15 pixels wide, with "
-    "the "
-    "thesis's halo",
+    "the thesis's halo",
     {} });
   t.Parameters.push_back(Width());
   t.Resources.back() =

@@ -6,8 +6,7 @@
 #include <glm/common.hpp>
 
 //------------------------------------------------------------------------------
-void vtkShadowMapPattern::SetGrid(
-  vtkOpenGLRenderWindow* window, vtkMTimeType time, int n, double scale)
+void vtkShadowMapPattern::SetGrid(vtkOpenGLRenderWindow* window, int n, double scale)
 {
   std::vector<glm::vec4> texels;
   for (int i = 0; i < n * n; ++i)
@@ -18,12 +17,10 @@ void vtkShadowMapPattern::SetGrid(
   }
   this->Points.UploadBuffer(window, texels);
   this->Count = n * n;
-  this->Time = time;
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowMapPattern::SetSobol(
-  vtkOpenGLRenderWindow* window, vtkMTimeType time, int count, bool centre)
+void vtkShadowMapPattern::SetSobol(vtkOpenGLRenderWindow* window, int count, bool centre)
 {
   std::vector<glm::vec4> texels;
   for (auto bits : vtkShadowSampling::Sobol(count))
@@ -40,5 +37,4 @@ void vtkShadowMapPattern::SetSobol(
   }
   this->Points.UploadBuffer(window, texels);
   this->Count = count;
-  this->Time = time;
 }

@@ -7,17 +7,14 @@
 
 #include "vtkShadowGL.h"                    // For textures
 #include "vtkSoftShadowsShadowMapsModule.h" // For export macro
-#include "vtkType.h"                        // For vtkMTimeType
 
 class VTKSOFTSHADOWSSHADOWMAPS_EXPORT vtkShadowMapPattern
 {
 public:
-  /** Whether it was made at another time than this one of parameters, or not yet. */
-  bool IsStale(vtkMTimeType time) const { return !this->Points.GetHandle() || time != this->Time; }
   /** n x n cell centres of the square; for the disk, mapped to it with their areas. */
-  void SetGrid(vtkOpenGLRenderWindow* window, vtkMTimeType time, int n, double scale = 1.0);
+  void SetGrid(vtkOpenGLRenderWindow* window, int n, double scale = 1.0);
   /** Sobol's points over disk and square (see vtkShadowSampling), the first in the centre if wanted. */
-  void SetSobol(vtkOpenGLRenderWindow* window, vtkMTimeType time, int count, bool centre);
+  void SetSobol(vtkOpenGLRenderWindow* window, int count, bool centre);
 
   vtkShadowTexture& GetTexture() { return this->Points; }
   int GetCount() const { return this->Count; }
@@ -25,7 +22,6 @@ public:
 private:
   vtkShadowTexture Points;
   int Count = 0;
-  vtkMTimeType Time = 0;
 };
 
 #endif

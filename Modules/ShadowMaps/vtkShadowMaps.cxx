@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iterator>
 #include <tuple>
 
@@ -354,11 +353,7 @@ void vtkShadowMaps::DrawMidpoint(vtkShadowFrame& frame, int index)
   state->vtkglDepthFunc(GL_ALWAYS);
   const auto& frustum = view.Frustum;
   const bool directional = frame.Lights[view.Light].IsDirectional();
-  // Depth is 1 at the far plane: the constant follows from the scale and the range of distances.
-  const double range = frustum.DepthRange;
-  const double nearest =
-    0.5 * (std::sqrt(range * range + 4.0 * range * frustum.DepthScale) - range);
-  const float form[] = { static_cast<float>((nearest + range) / range),
+  const float form[] = { static_cast<float>(frustum.DepthConstant),
     directional ? 0.0f : static_cast<float>(frustum.DepthScale) };
   frame.Quad->Draw(frame.Window, vtkShadowMapMidpointFS,
     [&](vtkShaderProgram* program)
