@@ -8,13 +8,16 @@ option(BUILD_SHARED_LIBS "Build shared libraries (Python needs them)" ON)
 option(SOFTSHADOWS_WRAP_PYTHON "Wrap for Python (package vtksoftshadows)" ON)
 option(SOFTSHADOWS_BUILD_APPS "Build the command softshadows" ON)
 option(SOFTSHADOWS_SHADOW_MAPS "Shadow maps and their filters: map-*" ON)
+option(SOFTSHADOWS_PLANAR_SHADOWS "Shadows projected onto planes: planar-*" ON)
+option(SOFTSHADOWS_SHADOW_VOLUMES "Stencil shadow volumes (OpenMesh): volume-*" ON)
 option(SOFTSHADOWS_RAY_TRACING "Ray-traced reference (Embree): ray-traced" ON)
 option(SOFTSHADOWS_IMAGE_METRICS "Reading, writing and comparing pictures (OpenImageIO)" ON)
 option(SOFTSHADOWS_SCENES "Built-in scenes" ON)
 include(CTest)
 
 foreach (pair IN ITEMS
-    "SHADOW_MAPS:ShadowMaps" "RAY_TRACING:RayTracing" "IMAGE_METRICS:ImageMetrics" "SCENES:Scenes")
+    "SHADOW_MAPS:ShadowMaps" "PLANAR_SHADOWS:PlanarShadows" "SHADOW_VOLUMES:ShadowVolumes"
+    "RAY_TRACING:RayTracing" "IMAGE_METRICS:ImageMetrics" "SCENES:Scenes")
   string(REPLACE ":" ";" pair "${pair}")
   list(GET pair 0 option)
   list(GET pair 1 module)

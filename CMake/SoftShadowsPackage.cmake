@@ -25,6 +25,9 @@ if (NOT BUILD_SHARED_LIBS)
   string(APPEND softshadows_find_dependencies
     "find_dependency(OpenGL COMPONENTS OpenGL)\n"
     "find_dependency(nlohmann_json)\n")
+  if (SOFTSHADOWS_SHADOW_VOLUMES)
+    string(APPEND softshadows_find_dependencies "find_dependency(OpenMesh)\n")
+  endif ()
   if (SOFTSHADOWS_RAY_TRACING)
     string(APPEND softshadows_find_dependencies "find_dependency(embree 3)\n")
   endif ()

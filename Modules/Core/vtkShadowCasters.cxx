@@ -112,6 +112,7 @@ public:
   vtkShaderProgram* Program = nullptr; // owned by the window's shader cache
   std::vector<GLsizei> Counts;         // indices of each caster
   std::vector<std::size_t> Offsets;    // first index of each caster, in bytes
+  std::vector<GLint> FirstVertices;    // of each caster
   std::size_t Bytes = 0;
 };
 
@@ -268,7 +269,7 @@ std::size_t vtkShadowCasters::GetNumberOfTrianglesNotFinite() const
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowCasters::Upload(vtkOpenGLRenderWindow* window)
+void vtkShadowCasters::Upload()
 {
   if (!this->GPU)
   {
@@ -283,23 +284,27 @@ void vtkShadowCasters::Upload(vtkOpenGLRenderWindow* window)
     indices.reserve(3 * this->GetNumberOfTriangles());
     gpu.Counts.clear();
     gpu.Offsets.clear();
-    std::map<const vtkShadowMesh*, std::size_t> offsets; // casters share their mesh's place
-    for (const auto& caster : this->Casters)
+    gpu.FirstVertices.clear();
+    std::map<const vtkShadowMesh*, std::size_t> known; // casters share their mesh's place
+    for (std::size_t i = 0; i < this->Casters.size(); ++i)
     {
-      const vtkShadowMesh& mesh = *caster.Mesh;
-      const auto place = offsets.emplace(&mesh, indices.size() * sizeof(std::uint32_t));
+      const vtkShadowMesh& mesh = *this->Casters[i].Mesh;
+      const auto place = known.emplace(&mesh, i);
+      const std::size_t same = place.first->second;
       gpu.Counts.push_back(static_cast<GLsizei>(mesh.Indices.size()));
-      gpu.Offsets.push_back(place.first->second);
+      gpu.Offsets.push_back(
+        place.second ? indices.size() * sizeof(std::uint32_t) : gpu.Offsets[same]);
+      gpu.FirstVertices.push_back(
+        place.second ? static_cast<GLint>(vertices.size() / 3) : gpu.FirstVertices[same]);
       if (!place.second)
       {
         continue;
       }
-      const auto first = static_cast<std::uint32_t>(vertices.size() / 3);
       vertices.insert(vertices.end(), mesh.Positions.begin(),
         mesh.Positions.begin() + 3 * mesh.GetNumberOfVertices());
       for (const std::uint32_t index : mesh.Indices)
       {
-        indices.push_back(first + index);
+        indices.push_back(gpu.FirstVertices[i] + index);
       }
     }
     gpu.Vertices->Upload(vertices, vtkOpenGLBufferObject::ArrayBuffer);
@@ -313,21 +318,21 @@ void vtkShadowCasters::Upload(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowCasters::Draw(vtkOpenGLRenderWindow* window, const glm::dmat4& WCToClip,
-  const std::vector<int>& casters, const char* fragmentShader,
-  const std::function<void(vtkShaderProgram*)>& setParameters)
+vtkShaderProgram* vtkShadowCasters::Bind(
+  vtkOpenGLRenderWindow* window, vtkOpenGLBufferObject* indices, const vtkShadowCasterDraw& how)
 {
-  this->Upload(window);
   Buffers& gpu = *this->GPU;
   vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
-    vtkShadowCasterVS, fragmentShader ? fragmentShader : vtkShadowCasterFS, "");
+    how.VertexShader ? how.VertexShader : vtkShadowCasterVS,
+    how.FragmentShader ? how.FragmentShader : vtkShadowCasterFS,
+    how.GeometryShader ? how.GeometryShader : "");
   if (!program)
   {
-    return; // the shader cache has reported why
+    return nullptr; // the shader cache has reported why
   }
-  if (setParameters)
+  if (how.SetParameters)
   {
-    setParameters(program);
+    how.SetParameters(program);
   }
   if (program != gpu.Program)
   {
@@ -338,15 +343,62 @@ void vtkShadowCasters::Draw(vtkOpenGLRenderWindow* window, const glm::dmat4& WCT
   {
     gpu.VertexArray->AddAttributeArray(
       program, gpu.Vertices, "vertexMC", 0, 3 * sizeof(float), VTK_FLOAT, 3, false);
-    gpu.Indices->Bind();
     gpu.Program = program;
+  }
+  indices->Bind();
+  return program;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowCasters::SetCaster(vtkShaderProgram* program, const glm::dmat4& WCToClip,
+  const vtkShadowCaster& caster, const vtkShadowCasterDraw& how)
+{
+  const glm::mat4 matrix(WCToClip * caster.MeshToWC);
+  program->SetUniformMatrix4x4("MCToClip", const_cast<float*>(glm::value_ptr(matrix)));
+  if (how.SetCasterParameters)
+  {
+    how.SetCasterParameters(program, caster);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowCasters::Draw(vtkOpenGLRenderWindow* window, const glm::dmat4& WCToClip,
+  const std::vector<int>& casters, const vtkShadowCasterDraw& how)
+{
+  this->Upload();
+  Buffers& gpu = *this->GPU;
+  vtkShaderProgram* program = this->Bind(window, gpu.Indices, how);
+  if (!program)
+  {
+    return;
   }
   for (const int i : casters)
   {
-    const glm::mat4 matrix(WCToClip * this->Casters[i].MeshToWC);
-    program->SetUniformMatrix4x4("MCToClip", const_cast<float*>(glm::value_ptr(matrix)));
+    this->SetCaster(program, WCToClip, this->Casters[i], how);
     glDrawElements(
       GL_TRIANGLES, gpu.Counts[i], GL_UNSIGNED_INT, reinterpret_cast<const void*>(gpu.Offsets[i]));
+  }
+  gpu.VertexArray->Release();
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowCasters::DrawParts(vtkOpenGLRenderWindow* window, const glm::dmat4& WCToClip,
+  unsigned int primitive, vtkOpenGLBufferObject* indices,
+  const std::vector<vtkShadowCasterPart>& parts, const vtkShadowCasterDraw& how)
+{
+  this->Upload();
+  Buffers& gpu = *this->GPU;
+  vtkShaderProgram* program = parts.empty() ? nullptr : this->Bind(window, indices, how);
+  if (!program)
+  {
+    return;
+  }
+  for (const auto& part : parts)
+  {
+    this->SetCaster(program, WCToClip, this->Casters[part.Caster], how);
+    glDrawElementsBaseVertex(primitive, static_cast<GLsizei>(part.Count), GL_UNSIGNED_INT,
+      reinterpret_cast<const void*>(part.First * sizeof(std::uint32_t)),
+      gpu.FirstVertices[part.Caster]);
   }
   gpu.VertexArray->Release();
 }

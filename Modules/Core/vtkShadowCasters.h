@@ -24,6 +24,7 @@
 #include <memory>
 #include <vector>
 
+class vtkOpenGLBufferObject;
 class vtkOpenGLRenderWindow;
 class vtkProp;
 class vtkRenderer;
@@ -42,6 +43,26 @@ struct VTKSOFTSHADOWSCORE_EXPORT vtkShadowCaster
   glm::dvec3 GetMiddle() const;
   double GetRadius() const;
   ///@}
+};
+
+/** How casters are drawn: by default their depth alone. */
+struct vtkShadowCasterDraw
+{
+  /** GLSL; nullptr for the vertex or fragment shader of depth, or for no geometry shader. */
+  const char* VertexShader = nullptr;
+  const char* GeometryShader = nullptr;
+  const char* FragmentShader = nullptr;
+  /** Set uniforms, once; and for each caster, before its draw call. */
+  std::function<void(vtkShaderProgram*)> SetParameters;
+  std::function<void(vtkShaderProgram*, const vtkShadowCaster&)> SetCasterParameters;
+};
+
+/** Elements of another index buffer that stand for a part of a caster: numbers of its mesh's vertices. */
+struct vtkShadowCasterPart
+{
+  int Caster = 0;        // index into vtkShadowCasters::Get()
+  std::size_t First = 0; // index in the buffer
+  std::size_t Count = 0;
 };
 
 class VTKSOFTSHADOWSCORE_EXPORT vtkShadowCasters
@@ -79,13 +100,13 @@ public:
   std::size_t GetNumberOfDroppedTriangles() const;
   std::size_t GetNumberOfTrianglesNotFinite() const;
 
-  /**
-   * Draw casters (indices into Get()) into the bound framebuffer: their depth, or by a fragment
-   * shader and what sets its uniforms.
-   */
+  /** Draw the triangles of casters (indices into Get()) into the bound framebuffer. */
   void Draw(vtkOpenGLRenderWindow* window, const glm::dmat4& WCToClip,
-    const std::vector<int>& casters, const char* fragmentShader = nullptr,
-    const std::function<void(vtkShaderProgram*)>& setParameters = {});
+    const std::vector<int>& casters, const vtkShadowCasterDraw& how = {});
+  /** Draw parts of casters, by 32-bit indices of a primitive type of OpenGL's. */
+  void DrawParts(vtkOpenGLRenderWindow* window, const glm::dmat4& WCToClip, unsigned int primitive,
+    vtkOpenGLBufferObject* indices, const std::vector<vtkShadowCasterPart>& parts,
+    const vtkShadowCasterDraw& how);
 
   /** Bytes held on the GPU. */
   std::size_t GetGPUBytes() const;
@@ -94,7 +115,11 @@ public:
 private:
   class Buffers;
 
-  void Upload(vtkOpenGLRenderWindow* window);
+  void Upload();
+  vtkShaderProgram* Bind(
+    vtkOpenGLRenderWindow* window, vtkOpenGLBufferObject* indices, const vtkShadowCasterDraw& how);
+  void SetCaster(vtkShaderProgram* program, const glm::dmat4& WCToClip,
+    const vtkShadowCaster& caster, const vtkShadowCasterDraw& how);
 
   std::vector<vtkShadowCaster> Casters;
   std::vector<std::array<glm::dvec3, 8>> Receivers;

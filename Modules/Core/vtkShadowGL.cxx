@@ -33,11 +33,13 @@ bool vtkShadowTexture::Allocate(
   {
     GLint Internal;
     GLenum External;
+    GLenum Type;
     std::size_t Size;
   };
-  static constexpr Layout layouts[] = { { GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, 4 },
-    { GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, 4 }, { GL_R32F, GL_RED, 4 }, { GL_RG32F, GL_RG, 8 },
-    { GL_RGBA32F, GL_RGBA, 16 } };
+  static constexpr Layout layouts[] = { { GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 4 },
+    { GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, 4 },
+    { GL_R32F, GL_RED, GL_FLOAT, 4 }, { GL_RG32F, GL_RG, GL_FLOAT, 8 },
+    { GL_RGBA32F, GL_RGBA, GL_FLOAT, 16 } };
   const Layout& layout = layouts[static_cast<int>(format)];
   while (glGetError() != GL_NO_ERROR)
   {
@@ -48,7 +50,7 @@ bool vtkShadowTexture::Allocate(
     const int levelWidth = std::max(1, width >> level);
     const int levelHeight = std::max(1, height >> level);
     glTexImage3D(this->Target, level, layout.Internal, levelWidth, levelHeight, layers, 0,
-      layout.External, GL_FLOAT, nullptr);
+      layout.External, layout.Type, nullptr);
     this->Bytes += layout.Size * levelWidth * levelHeight * layers;
   }
   const bool made = glGetError() == GL_NO_ERROR;
@@ -280,15 +282,21 @@ void vtkShadowFramebuffer::Scope::SetLayer(int layer, int level)
   {
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 0, 0);
   }
-  if (this->Depth)
+  const unsigned int depth = this->Depth ? this->Depth->GetHandle() : 0;
+  // With a colour attachment, depth is a helper of one layer.
+  const int depthLayer = this->Color ? 0 : layer;
+  for (const GLenum attachment : { GL_DEPTH_ATTACHMENT, GL_STENCIL_ATTACHMENT })
   {
-    // With a colour attachment, depth is a helper of one layer.
-    glFramebufferTextureLayer(
-      GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, this->Depth->GetHandle(), 0, this->Color ? 0 : layer);
-  }
-  else
-  {
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, 0, 0);
+    const bool has =
+      attachment == GL_DEPTH_ATTACHMENT ? depth != 0 : this->Depth && this->Depth->HasStencil();
+    if (has)
+    {
+      glFramebufferTextureLayer(GL_FRAMEBUFFER, attachment, depth, 0, depthLayer);
+    }
+    else
+    {
+      glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, 0, 0);
+    }
   }
   const vtkShadowTexture* texture = this->Color ? this->Color : this->Depth;
   this->Window->GetState()->vtkglViewport(

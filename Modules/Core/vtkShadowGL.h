@@ -24,7 +24,7 @@ public:
   enum class Format
   {
     Depth,   // 32-bit float
-    Depth24, // as windows have it
+    Depth24, // and 8 bits of stencil, as windows have it
     Float1,  // 32-bit float each
     Float2,
     Float4
@@ -65,6 +65,7 @@ public:
   int GetHeight() const { return this->Height; }
   int GetLayers() const { return this->Layers; }
   int GetLevels() const { return this->Levels; }
+  bool HasStencil() const { return this->TexelFormat == Format::Depth24; }
   std::size_t GetBytes() const { return this->Bytes; }
 
 private:

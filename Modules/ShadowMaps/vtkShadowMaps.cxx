@@ -340,8 +340,10 @@ void vtkShadowMaps::DrawMidpoint(vtkShadowFrame& frame, int index)
           program->SetUniformi("shadowFirstSide", this->Sides[0].GetUnit());
         }
       };
-      frame.Casters->Draw(
-        frame.Window, view.Frustum.WCToClip, casters, source.c_str(), setParameters);
+      vtkShadowCasterDraw how;
+      how.FragmentShader = source.c_str();
+      how.SetParameters = setParameters;
+      frame.Casters->Draw(frame.Window, view.Frustum.WCToClip, casters, how);
     }
   }
   this->Sides[0].Deactivate(frame.Window);
