@@ -245,6 +245,18 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
+glm::dvec3 vtkShadowCasters::GetMiddle(const std::vector<int>& casters) const
+{
+  glm::dvec3 middle(0.0);
+  for (const int i : casters)
+  {
+    const auto& corners = this->Casters[i].Corners;
+    middle += 0.5 * (corners[0] + corners[7]) / static_cast<double>(casters.size());
+  }
+  return middle;
+}
+
+//------------------------------------------------------------------------------
 std::size_t vtkShadowCasters::GetNumberOfVertices() const
 {
   return Sum(this->Casters, [](const vtkShadowMesh& m) { return m.GetNumberOfVertices(); });

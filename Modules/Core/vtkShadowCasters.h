@@ -86,6 +86,8 @@ public:
 
   /** Origin of WC in the world. It stays until the casters leave its neighbourhood. */
   const glm::dvec3& GetOrigin() const { return this->Origin; }
+  /** Mean of the middles of some casters' boxes, in WC. */
+  glm::dvec3 GetMiddle(const std::vector<int>& casters) const;
   /** Diagonal of the box around all casters, in world units. */
   double GetSize() const { return this->Size; }
   /** Rises with every change of what casts. */

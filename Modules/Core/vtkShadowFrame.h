@@ -34,6 +34,8 @@ struct VTKSOFTSHADOWSCORE_EXPORT vtkShadowFrame
   int Size[2] = { 0, 0 };
   /** View coordinates to WC (world axes, origin at Casters->GetOrigin()). */
   glm::dmat4 VCToWC{ 1.0 };
+  /** View coordinates to clip coordinates, as VTK's mappers draw with. */
+  glm::dmat4 VCToClip{ 1.0 };
   glm::dmat4 GetWCToVC() const;
   glm::dmat4 GetWorldToVC() const;
   /** What positions on the casters can be off at least, by rounding to floats, in world units. */

@@ -268,6 +268,16 @@ std::vector<vtkLightSample> vtkShadowLight::GetSamples(int count, const glm::dve
 }
 
 //------------------------------------------------------------------------------
+std::vector<vtkLightSample> vtkShadowLight::GetPlaces(int count, const glm::dvec3& receiver) const
+{
+  if (count > 1)
+  {
+    return this->GetSamples(count, receiver);
+  }
+  return { { this->IsDirectional() ? -this->Direction : this->Position, glm::dvec3(1.0) } };
+}
+
+//------------------------------------------------------------------------------
 bool vtkShadowLight::SameGeometry(const vtkShadowLight& other) const
 {
   return std::tie(this->Kind, this->Position, this->Direction, this->U, this->V, this->ConeAngle,

@@ -71,6 +71,8 @@ struct VTKSOFTSHADOWSCORE_EXPORT vtkShadowLight
   glm::dvec3 Map(const glm::dvec2& unit, const glm::dvec3& receiver) const;
   /** N samples as a receiver sees them, stratified (see vtkShadowSampling), weights summing to 1. */
   std::vector<vtkLightSample> GetSamples(int count, const glm::dvec3& receiver) const;
+  /** The same, but a single one is the light's centre: where a light that counts as a point is. */
+  std::vector<vtkLightSample> GetPlaces(int count, const glm::dvec3& receiver) const;
   /** Some unit vector perpendicular to a unit vector, the same one each time. */
   static glm::dvec3 Perpendicular(const glm::dvec3& axis);
   /** Emission at a point of the unit square, 1 without a texture. */

@@ -6,7 +6,9 @@
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkLightCollection.h"
+#include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLCamera.h"
 #include "vtkOpenGLError.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLState.h"
@@ -193,6 +195,13 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
     glm::make_mat4(renderer->GetActiveCamera()->GetModelViewTransformMatrix()->GetData()));
   frame.VCToWC = glm::translate(glm::dmat4(1.0), -my.Casters.GetOrigin()) * glm::inverse(worldToVC);
   vtkCamera* camera = renderer->GetActiveCamera();
+  if (auto* glCamera = vtkOpenGLCamera::SafeDownCast(camera))
+  {
+    vtkMatrix4x4 *wcvc, *vcdc, *wcdc; // transposed already, and the camera's own
+    vtkMatrix3x3* normals;
+    glCamera->GetKeyMatrices(renderer, wcvc, normals, vcdc, wcdc);
+    frame.VCToClip = glm::make_mat4(vcdc->GetData());
+  }
   frame.LeastRounding =
     my.Casters.GetSize() / 4194304.0 +
     (camera->GetParallelProjection() ? camera->GetParallelScale() / 524288.0 : 0.0);

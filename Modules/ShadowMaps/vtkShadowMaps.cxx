@@ -62,19 +62,8 @@ std::vector<vtkShadowMaps::View> vtkShadowMaps::MakeViews(
     return views;
   }
   // A sphere's samples lie on the disk that faces the casters' middle.
-  glm::dvec3 middle(0.0);
-  for (const int i : casters)
-  {
-    const auto& corners = frame.Casters->Get()[i].Corners;
-    middle += 0.5 * (corners[0] + corners[7]) / static_cast<double>(casters.size());
-  }
-  const int samples = light.IsPoint() ? 1 : this->Current.Samples;
-  // A single view of a light with a size looks from its centre.
-  std::vector<vtkLightSample> places =
-    samples == 1
-      ? std::vector<vtkLightSample>{ { light.IsDirectional() ? -light.Direction : light.Position,
-          glm::dvec3(1.0) } }
-      : light.GetSamples(samples, middle + frame.Casters->GetOrigin());
+  const auto places = light.GetPlaces(
+    this->Current.Samples, frame.Casters->GetMiddle(casters) + frame.Casters->GetOrigin());
   for (const auto& place : places)
   {
     for (const auto& frustum : frusta.GetViews(place.Point))

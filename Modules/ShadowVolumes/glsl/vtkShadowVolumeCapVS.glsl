@@ -1,0 +1,16 @@
+//VTK::System::Dec
+
+// The near or the far cap of a volume.
+
+in vec3 vertexMC;
+
+uniform mat4 MCToClip;
+uniform vec4 shadowLightDC; // as in vtkShadowVolumeSidesGS.glsl, that both meet
+uniform float shadowKeep;
+uniform int shadowFar; // 1 for the far cap
+
+void main()
+{
+  vec4 positionDC = MCToClip * vec4(vertexMC, 1.0);
+  gl_Position = shadowFar == 1 ? shadowKeep * positionDC - shadowLightDC : positionDC;
+}

@@ -1,0 +1,23 @@
+//VTK::System::Dec
+
+// What volumes need not be asked: 1 where there is no receiver, 0 where the surface hides the whole
+// light from itself, which rounding where a volume leaves its own surface must not change.
+
+//VTK::Output::Dec
+
+//SHADOW::Declarations
+
+uniform sampler2DArray shadowReceivers;
+uniform int shadowLight;
+
+void main()
+{
+  vec4 receiverVC = texelFetch(shadowReceivers, ivec3(gl_FragCoord.xy, 0), 0);
+  bool receives = receiverVC.w != 0.0;
+  shadowSelf = receiverVC.w > 0.0;
+  if (receives && !shadowFacesAway(shadowLight, receiverVC.xyz, shadowUnpackNormal(abs(receiverVC.w))))
+  {
+    discard;
+  }
+  gl_FragData[0] = vec4(receives ? 0.0 : 1.0);
+}

@@ -1,0 +1,70 @@
+// Silhouettes of casters as some places on a light see them, and the caps of their volumes.
+//
+// A volume holds what lies behind a set of faces, all turned towards the light. Its sides stand on
+// the edges where the set's boundary runs: an edge counts the signed sum of its faces, each as it
+// runs along the edge once it is turned.
+//   - Of a closed body the set is the faces that face away. Its boundary is the silhouette, each edge
+//     counting once, and its cap is nowhere a surface that light reaches.
+//   - Of all else the set is every face, so that holes, sheets and any winding are right. Where two
+//     faces meet in a silhouette, the edge counts twice.
+//
+// For up to 64 places at once, one word a face says which of them it faces; words of most edges' two
+// faces are equal, which leaves the edge out for all places together.
+
+#ifndef vtkShadowSilhouettes_h
+#define vtkShadowSilhouettes_h
+
+#include "vtkShadowCasters.h"                  // For vtkShadowCasterPart
+#include "vtkSoftShadowsShadowVolumesModule.h" // For export macro
+
+#include <glm/vec4.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+class vtkShadowAdjacencies;
+struct vtkShadowAdjacency;
+
+/** What one place on a light sees. */
+struct vtkShadowSilhouette
+{
+  /** Pairs of vertices: parts of the line list of vtkShadowSilhouettes::Lines. */
+  std::vector<vtkShadowCasterPart> Parts;
+  /** No point lies in more volumes than this: by edges in slabs of the light's view. */
+  std::size_t MostNested = 0;
+};
+
+class VTKSOFTSHADOWSSHADOWVOLUMES_EXPORT vtkShadowSilhouettes
+{
+public:
+  /** Places are handled in words of this many. */
+  static constexpr int MostPlaces = 64;
+
+  /**
+   * Find the silhouettes of casters (indices into Get(), with adjacencies) from up to 64 places:
+   * positions in WC (w 1) or directions towards the light (w 0).
+   */
+  void Find(const vtkShadowCasters& casters, const vtkShadowAdjacencies& adjacencies,
+    const std::vector<int>& which, const glm::dvec4* places, int numberOfPlaces);
+
+  /** One for each place. */
+  const std::vector<vtkShadowSilhouette>& Get() const { return this->Silhouettes; }
+  /** Directed so that the volume lies to the left, seen from the light with the caster above. */
+  const std::vector<std::uint32_t>& GetLines() const { return this->Lines; }
+  /** Once they lie on the GPU. */
+  void ReleaseLines() { std::vector<std::uint32_t>().swap(this->Lines); }
+
+  /** Add the triangles of a caster's cap, turned to the light, to a list. */
+  static void AddCap(const vtkShadowCaster& caster, const vtkShadowAdjacency& adjacency,
+    const glm::dvec4& place, std::vector<std::uint32_t>& triangles);
+
+private:
+  std::size_t FindMostNested(const vtkShadowCasters& casters, const std::vector<int>& which,
+    const glm::dvec4& place, const std::vector<vtkShadowCasterPart>& parts) const;
+
+  std::vector<vtkShadowSilhouette> Silhouettes;
+  std::vector<std::uint32_t> Lines;
+};
+
+#endif

@@ -1,0 +1,54 @@
+/**
+ * @class   vtkShadowVolumePass
+ * @brief   Techniques volume-hard and volume-soft: stencil shadow volumes from silhouettes.
+ *
+ * Crow, Shadow algorithms for computer graphics, SIGGRAPH 1977; Heidmann, Real shadows, real time,
+ * 1991; Zapotocky, Soft shadows on GPU, 2007, section 2.4 (depth-pass, depth-fail, exclusive-or) and
+ * chapter 5 (the paragon). Visibility is exact to the pixel and to the depth buffer: volume-hard that
+ * of the light's centre, volume-soft the mean over N samples of the light.
+ *
+ * Stages: 1. adjacency of each caster's mesh, once (OpenMesh); 2. silhouettes from all samples, where
+ * light or casters changed; 3. receivers; 4. for each sample, volumes counted in the stencil over the
+ * receivers' depth, and the sample's weight taken away where the count is not zero.
+ *
+ * Textures and buffers: see vtkShadowVolumes.
+ */
+
+#ifndef vtkShadowVolumePass_h
+#define vtkShadowVolumePass_h
+
+#include "vtkShadowPass.h"
+#include "vtkSoftShadowsShadowVolumesModule.h" // For export macro
+
+class vtkShadowVolumes;
+
+class VTKSOFTSHADOWSSHADOWVOLUMES_EXPORT vtkShadowVolumePass : public vtkShadowPass
+{
+public:
+  static vtkShadowVolumePass* New();
+  vtkTypeMacro(vtkShadowVolumePass, vtkShadowPass);
+
+  /** Adds "volumes": those of the first sample, front faces blue, back faces orange, silhouettes. */
+  std::string GetDebugViews() override;
+
+protected:
+  vtkShadowVolumePass();
+  ~vtkShadowVolumePass() override;
+
+  bool UpdateLightData(vtkShadowFrame& frame) override;
+  bool PrefersForward() override { return false; }
+  void FillVisibility(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer) override;
+  double GetMaximumCost() override;
+  void DrawDebugView(vtkShadowFrame& frame, const std::string& view) override;
+  void ReleaseLightData(vtkRenderWindow* window) override;
+  std::vector<std::pair<std::string, std::size_t>> GetLightDataBytes() override;
+
+private:
+  vtkShadowVolumePass(const vtkShadowVolumePass&) = delete;
+  void operator=(const vtkShadowVolumePass&) = delete;
+
+  std::unique_ptr<vtkShadowVolumes> Volumes;
+  double MostFaces = 0.0; // drawn over a pixel, when the cost was last shown
+};
+
+#endif

@@ -1,0 +1,76 @@
+// The declarations of the family's techniques.
+
+#include "vtkShadowTechnique.h"
+#include "vtkShadowVolumePass.h"
+
+vtkShadowTechniqueAutoInit(VTKSOFTSHADOWSSHADOWVOLUMES_EXPORT, vtkSoftShadowsShadowVolumes)
+
+  namespace
+{
+  using Support = vtkShadowShapeSupport;
+  using Type = vtkShadowParameter::Type;
+
+  vtkShadowTechnique Common()
+  {
+    vtkShadowTechnique t;
+    t.Paper =
+      "Crow, Shadow algorithms for computer graphics, SIGGRAPH 1977; Heidmann, Real shadows, "
+      "real time, 1991; Zapotocky, Soft shadows on GPU, 2007, section 2.4";
+    t.ClassName = "vtkShadowVolumePass";
+    t.New = [] { return static_cast<vtkShadowPass*>(vtkShadowVolumePass::New()); };
+    t.Parameters = { { "counting", Type::Choice, "auto", 0, 0,
+      { "auto", "z-pass", "z-fail", "xor" }, "",
+      "Count the volumes' faces before the surface (z-pass), behind it (z-fail), or their parity "
+      "before it (xor); auto: z-pass, and z-fail for casters whose volume the near rectangle may "
+      "lie "
+      "in",
+      {} } };
+    t.Resources = {
+      "on the CPU: adjacency, about 41 bytes a triangle of a closed mesh, once a mesh",
+      "silhouettes, 8 bytes an edge and sample (16 of open meshes)",
+      "where volumes are counted by z-fail: caps, 12 bytes a triangle",
+      "receivers 16 bytes, depth and stencil 4 bytes, visibility 4 bytes a light (16 textured), "
+      "each "
+      "a pixel; 4 bytes more where more than 255 volumes may nest"
+    };
+    t.Limits = { "The cost is that of filling the volumes: it grows with silhouettes, pixels and "
+                 "samples.",
+      "counting=xor is wrong where volumes overlap, and as z-pass where the eye is in a volume.",
+      "Translucent surfaces receive no shadow." };
+    return t;
+  }
+
+  vtkShadowTechnique Hard()
+  {
+    vtkShadowTechnique t = Common();
+    t.Name = "volume-hard";
+    t.Title = "Hard shadow volumes";
+    t.LightShapes = { Support::Exact, Support::Approximate, Support::Approximate,
+      Support::Approximate, Support::Exact, Support::Approximate };
+    t.Limits.insert(t.Limits.begin(), "The light counts as its centre: there is no penumbra.");
+    t.Hard = true;
+    return t;
+  }
+
+  vtkShadowTechnique Soft()
+  {
+    vtkShadowTechnique t = Common();
+    t.Name = "volume-soft";
+    t.Title = "Accumulated shadow volumes";
+    t.Paper += " and chapter 5";
+    t.LightShapes = { Support::Exact, Support::Approximate, Support::Exact, Support::Exact,
+      Support::Exact, Support::Exact };
+    t.Parameters.insert(t.Parameters.begin(),
+      { "samples", Type::Integer, "64", 1, 1024, {}, "",
+        "Samples of the light, all volumes for each", { "16", "32", "64", "1024" } });
+    t.Parameters.push_back({ "memory", Type::Integer, "512", 1, 65536, {}, "MiB",
+      "Most that silhouettes may hold; those that do not fit are found anew in every frame", {} });
+    t.Limits.insert(t.Limits.begin(),
+      { "A sphere is its disk that faces the middle of the casters, not each receiver.",
+        "Few samples show as steps: as many grey levels as samples." });
+    return t;
+  }
+
+  const vtkShadowTechniqueRegistration hard(Hard());
+  const vtkShadowTechniqueRegistration soft(Soft());
+}

@@ -1,0 +1,155 @@
+// The shadow volumes of a pass: silhouettes by light and place, kept while light and casters are
+// unchanged, and their counting over the receivers' depth.
+//
+//   lines    index buffer  8 bytes a silhouette edge and place: pairs of the casters' vertices
+//   caps     index buffer  12 bytes a triangle, where volumes are counted by z-fail
+//   stencil  8 bits        beside the receivers' depth; counts wrap
+//   counts   R32F          viewport size; instead of the stencil where more than 255 volumes may nest
+//
+// A volume's sides reach from the edge to infinity (w = 0); in a parallel projection, which sees
+// nothing of infinity, as far as the picture goes.
+
+#ifndef vtkShadowVolumes_h
+#define vtkShadowVolumes_h
+
+#include "vtkNew.h"                            // For buffers
+#include "vtkOpenGLBufferObject.h"             // For buffers
+#include "vtkShadowAdjacency.h"                // For adjacencies
+#include "vtkShadowGL.h"                       // For textures
+#include "vtkShadowLight.h"                    // For vtkShadowLight
+#include "vtkShadowSilhouettes.h"              // For silhouettes
+#include "vtkSoftShadowsShadowVolumesModule.h" // For export macro
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkShaderProgram;
+class vtkVisibilityBuffer;
+struct vtkShadowFrame;
+
+struct vtkShadowVolumeSettings
+{
+  enum class Counting
+  {
+    Auto,  // z-pass, but z-fail for casters whose volume the near rectangle may lie in
+    ZPass, // entered less left between the eye and the surface: wrong where the eye is in a volume
+    ZFail, // left less entered behind it: right everywhere, needs caps
+    Xor    // parity, as z-pass: also wrong where volumes overlap
+  };
+  Counting Method = Counting::Auto;
+  int Samples = 1;                                // of each light that has a size
+  std::size_t MemoryLimit = std::size_t(1) << 32; // bytes for all lines
+
+  bool operator==(const vtkShadowVolumeSettings& other) const
+  {
+    return this->Method == other.Method && this->Samples == other.Samples &&
+           this->MemoryLimit == other.MemoryLimit;
+  }
+};
+
+class VTKSOFTSHADOWSSHADOWVOLUMES_EXPORT vtkShadowVolumes
+{
+public:
+  /** Bring silhouettes up to date; what was done is counted in the frame. */
+  void Update(vtkShadowFrame& frame, const vtkShadowVolumeSettings& settings);
+
+  /** The places on a light. */
+  const std::vector<vtkLightSample>& GetSamples(int light) const
+  {
+    return this->Lights[light].Samples;
+  }
+
+  /**
+   * Count the volumes of a light's place over the receivers' depth, and take the place's weight away
+   * where the count is not zero, in a layer of the buffer's target.
+   */
+  void Subtract(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int light, int sample);
+  /** Add one where a face of a volume is drawn, in a layer of the buffer's target. */
+  void AddFaces(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int light, int sample);
+  /** Draw a place's volumes over the picture: front faces blue, back faces orange, silhouettes. */
+  void DrawView(vtkShadowFrame& frame, int light, int sample);
+
+  /** Bytes on the GPU, by name. */
+  std::vector<std::pair<std::string, std::size_t>> GetBytes() const;
+  void Release(vtkOpenGLRenderWindow* window);
+
+private:
+  /** Silhouettes of up to vtkShadowSilhouettes::MostPlaces samples. */
+  struct Batch
+  {
+    vtkShadowSilhouettes Silhouettes;
+    vtkNew<vtkOpenGLBufferObject> Lines;
+    std::size_t Bytes = 0;
+  };
+  struct LightState
+  {
+    vtkShadowLight Light;
+    std::vector<int> Casters;
+    std::vector<vtkLightSample> Samples;
+    std::vector<glm::dvec4> Places;              // of the samples, in WC
+    std::vector<std::unique_ptr<Batch>> Batches; // those that are kept
+  };
+  /** What a frame draws of one sample. */
+  struct Selection
+  {
+    const Batch* Lines = nullptr;
+    std::vector<vtkShadowCasterPart> ZPass;
+    std::vector<vtkShadowCasterPart> ZFail;
+    bool Wide = false; // counts may pass 255
+  };
+
+  void FindSilhouettes(vtkShadowFrame& frame, LightState& state, int batch, Batch& result);
+  const Batch& GetBatch(vtkShadowFrame& frame, int light, int sample);
+  Selection Select(vtkShadowFrame& frame, int light, int sample);
+  /** All of a caster's volume lies outside of the view. */
+  bool IsOutOfView(const vtkShadowCaster& caster, const glm::dvec4& place) const;
+  /** Planes around what can shadow the near rectangle: the pyramid over it with the light on top. */
+  std::vector<glm::dvec4> GetShadingPlanes(const glm::dvec4& place) const;
+  static bool NeedsCaps(const vtkShadowCaster& caster, const std::vector<glm::dvec4>& shading);
+  void UpdateCaps(vtkShadowFrame& frame, int light, int sample, const std::vector<int>& casters);
+
+  void SetExtrusion(
+    vtkShaderProgram* program, const vtkShadowCaster& caster, const glm::dvec4& place) const;
+  void SetFrontFace(bool reversed) const;
+  void DrawSides(vtkShadowFrame& frame, const glm::dvec4& place, const Selection& selection,
+    const std::vector<vtkShadowCasterPart>& parts, const char* shader,
+    const std::function<void(vtkShaderProgram*)>& setParameters);
+  void DrawCaps(vtkShadowFrame& frame, const glm::dvec4& place, const char* shader,
+    const std::function<void(vtkShaderProgram*)>& setParameters);
+  /** By z-pass, then by z-fail; setCounter(by z-pass?) prepares, and gives what sets uniforms. */
+  template <typename SetCounter>
+  void DrawVolumes(vtkShadowFrame& frame, const glm::dvec4& place, const Selection& selection,
+    const char* shader, SetCounter setCounter);
+
+  vtkShadowVolumeSettings Current;
+  unsigned long CasterVersion = 0;
+  unsigned long ReceiverVersion = 0;
+  vtkShadowAdjacencies Adjacencies;
+  std::vector<LightState> Lights;
+
+  // The frame's view.
+  glm::dmat4 WCToClip{ 1.0 };
+  std::vector<glm::dvec4> FrustumPlanes;  // inside is positive
+  std::vector<glm::dvec3> FrustumCorners; // near ones first
+  bool Parallel = false;
+
+  Batch Passing; // one that is not kept
+  int PassingLight = -1;
+  int PassingBatch = -1;
+  vtkNew<vtkOpenGLBufferObject> Caps;
+  std::size_t CapBytes = 0;
+  int CapLight = -1; // whose caps the buffer holds
+  int CapSample = -1;
+  std::vector<int> CapCasters;
+  std::vector<vtkShadowCasterPart> CapParts;
+  vtkShadowTexture Counts;
+};
+
+#endif
