@@ -239,7 +239,7 @@ std::size_t vtkShadowSilhouettes::FindMostNested(const vtkShadowCasters& casters
     std::vector<long> changes(Slabs + 1, 0);
     for (std::size_t i = 0; i < at; i += 2)
     {
-      const auto range = std::minmax(slab(ends[i]), slab(ends[i + 1]));
+      const auto range = std::minmax({ slab(ends[i]), slab(ends[i + 1]) });
       ++changes[range.first];
       --changes[range.second + 1];
     }

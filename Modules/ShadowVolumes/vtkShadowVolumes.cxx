@@ -34,6 +34,12 @@ using Counting = vtkShadowVolumeSettings::Counting;
 /** How close to a plane counts as on both sides, as a share of the lengths involved. */
 constexpr double Nearness = 1e-6;
 
+/** A step of the rasterizer's positions, a 256th of a pixel, in device coordinates of one pixel. */
+constexpr float RasterStep = 2.0f / 256.0f;
+
+/** A step of the 24-bit depth, in device coordinates. */
+constexpr float DepthStep = 1.0f / 8388608.0f;
+
 double Side(const glm::dvec4& plane, const glm::dvec3& point)
 {
   return glm::dot(plane, glm::dvec4(point, 1.0));
@@ -159,6 +165,8 @@ void vtkShadowVolumes::Update(vtkShadowFrame& frame, const vtkShadowVolumeSettin
 
   // The view.
   this->WCToClip = frame.VCToClip * frame.GetWCToVC();
+  // A camera that mirrors turns all faces around; the usual projection has a negative determinant.
+  this->Mirrored = glm::determinant(this->WCToClip) > 0.0;
   this->Parallel = frame.Renderer->GetActiveCamera()->GetParallelProjection() != 0;
   this->FrustumPlanes.clear();
   for (int axis = 0; axis < 3; ++axis)
@@ -408,7 +416,16 @@ void vtkShadowVolumes::DrawSides(vtkShadowFrame& frame, const glm::dvec4& place,
   vtkShadowCasterDraw how;
   how.GeometryShader = vtkShadowVolumeSidesGS;
   how.FragmentShader = shader;
-  how.SetParameters = setParameters;
+  how.SetParameters = [&](vtkShaderProgram* program)
+  {
+    const float step[3] = { RasterStep / static_cast<float>(frame.Size[0]),
+      RasterStep / static_cast<float>(frame.Size[1]), this->Mirrored ? -DepthStep : DepthStep };
+    program->SetUniform3f("shadowStep", step);
+    if (setParameters)
+    {
+      setParameters(program);
+    }
+  };
   how.SetCasterParameters = [&](vtkShaderProgram* program, const vtkShadowCaster& caster)
   { this->SetExtrusion(program, caster, place); };
   frame.Casters->DrawParts(
@@ -448,9 +465,7 @@ void vtkShadowVolumes::DrawCaps(vtkShadowFrame& frame, const glm::dvec4& place, 
 //------------------------------------------------------------------------------
 void vtkShadowVolumes::SetFrontFace(bool reversed) const
 {
-  // A camera that mirrors turns all faces around; the usual projection has a negative determinant.
-  const bool mirrored = glm::determinant(this->WCToClip) > 0.0;
-  glFrontFace(mirrored != reversed ? GL_CW : GL_CCW);
+  glFrontFace(this->Mirrored != reversed ? GL_CW : GL_CCW);
 }
 
 //------------------------------------------------------------------------------

@@ -139,6 +139,7 @@ private:
   std::vector<glm::dvec4> FrustumPlanes;  // inside is positive
   std::vector<glm::dvec3> FrustumCorners; // near ones first
   bool Parallel = false;
+  bool Mirrored = false;
 
   Batch Passing; // one that is not kept
   int PassingLight = -1;
