@@ -115,7 +115,7 @@ const std::vector<Edit>& GetEdits()
     { "light moved", LightData,
       [](CachingStage& stage) { stage.Light->SetPosition(2.0, -3.0, 5.0); } },
     { "light moved a hair", LightData,
-      [](CachingStage& stage) { stage.Light->SetPosition(-2.5, -2.001, 5.5); } },
+      [](CachingStage& stage) { stage.Light->SetPosition(-2.5, -2.01, 5.5); } },
     { "actor moved", Casters,
       [](CachingStage& stage) { stage.Things->SetPosition(0.3, -0.6, 0.1); } },
     { "actor turned", Casters, [](CachingStage& stage) { stage.Things->RotateZ(30.0); } },
