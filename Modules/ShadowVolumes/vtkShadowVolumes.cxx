@@ -25,6 +25,7 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace
@@ -197,15 +198,18 @@ void vtkShadowVolumes::FindSilhouettes(
   const std::size_t first = static_cast<std::size_t>(batch) * vtkShadowSilhouettes::MostPlaces;
   const std::size_t count =
     std::min<std::size_t>(vtkShadowSilhouettes::MostPlaces, state.Places.size() - first);
+  const auto start = std::chrono::steady_clock::now();
   result.Silhouettes.Find(*frame.Casters, this->Adjacencies, state.Casters,
     state.Places.data() + first, static_cast<int>(count));
   const auto& lines = result.Silhouettes.GetLines();
+  frame.Counts["silhouetteMilliseconds"] +=
+    std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  frame.Counts["silhouetteEdges"] += static_cast<double>(lines.size() / 2);
   result.Bytes = lines.size() * sizeof(std::uint32_t);
   glBindVertexArray(0); // or the buffer would become that array's
   result.Lines->Upload(lines, vtkOpenGLBufferObject::ElementArrayBuffer);
   result.Silhouettes.ReleaseLines();
   frame.Counts["silhouettesFound"] += static_cast<double>(count);
-  frame.Counts["silhouetteEdges"] += static_cast<double>(lines.size() / 2);
 }
 
 //------------------------------------------------------------------------------
