@@ -25,6 +25,7 @@ public:
   {
     Depth,   // 32-bit float
     Depth24, // and 8 bits of stencil, as windows have it
+    DepthStencil, // 32-bit float, and 8 bits of stencil
     Float1,  // 32-bit float each
     Float2,
     Float4
@@ -65,7 +66,10 @@ public:
   int GetHeight() const { return this->Height; }
   int GetLayers() const { return this->Layers; }
   int GetLevels() const { return this->Levels; }
-  bool HasStencil() const { return this->TexelFormat == Format::Depth24; }
+  bool HasStencil() const
+  {
+    return this->TexelFormat == Format::Depth24 || this->TexelFormat == Format::DepthStencil;
+  }
   std::size_t GetBytes() const { return this->Bytes; }
 
 private:

@@ -180,41 +180,57 @@ void FindEdges(const Structure& structure, vtkShadowAdjacency& result)
   const HalfEdges& mesh = structure.Mesh;
   const auto vertex = [&](OpenMesh::VertexHandle v) { return structure.Vertices[v.idx()]; };
   const auto triangle = [&](OpenMesh::FaceHandle f) { return structure.Triangles[f.idx()]; };
+  const auto arePair = [](const std::vector<vtkShadowAdjacency::IrregularFace>& faces)
+  { return faces.size() == 2 && faces[0].Backward != faces[1].Backward; };
   // Edges with a free side, by their end points: faces that were given vertices of their own meet
-  // their neighbours again.
+  // their neighbours again, or else the two that already share that edge.
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<vtkShadowAdjacency::IrregularFace>>
     free;
-  result.Edges.reserve(mesh.n_edges());
-  for (const auto edge : mesh.edges())
+  for (const bool shared : { false, true })
   {
-    const auto a = mesh.halfedge_handle(edge, 0);
-    const auto b = mesh.halfedge_handle(edge, 1);
-    const std::uint32_t from = vertex(mesh.from_vertex_handle(a));
-    const std::uint32_t to = vertex(mesh.to_vertex_handle(a));
-    if (!mesh.is_boundary(a) && !mesh.is_boundary(b))
+    for (const auto edge : mesh.edges())
     {
-      result.Edges.push_back(
-        { from, to, { triangle(mesh.face_handle(a)), triangle(mesh.face_handle(b)) } });
-      continue;
+      const auto a = mesh.halfedge_handle(edge, 0);
+      const auto b = mesh.halfedge_handle(edge, 1);
+      const std::uint32_t from = vertex(mesh.from_vertex_handle(a));
+      const std::uint32_t to = vertex(mesh.to_vertex_handle(a));
+      if (shared != (!mesh.is_boundary(a) && !mesh.is_boundary(b)))
+      {
+        continue;
+      }
+      const bool forward = from < to;
+      const auto same = shared ? free.find(std::minmax(from, to)) : free.end();
+      if (shared && (same == free.end() || arePair(same->second)))
+      {
+        result.Edges.push_back(
+          { from, to, { triangle(mesh.face_handle(a)), triangle(mesh.face_handle(b)) } });
+        continue;
+      }
+      auto& faces = shared ? same->second : free[std::minmax(from, to)];
+      if (!mesh.is_boundary(a))
+      {
+        faces.push_back({ triangle(mesh.face_handle(a)), !forward });
+      }
+      if (!mesh.is_boundary(b))
+      {
+        faces.push_back({ triangle(mesh.face_handle(b)), forward });
+      }
     }
-    const bool first = !mesh.is_boundary(a);
-    free[std::minmax(from, to)].push_back(
-      { triangle(mesh.face_handle(first ? a : b)), first != (from < to) });
   }
+  result.Edges.reserve(mesh.n_edges());
   for (const auto& entry : free)
   {
     const auto& faces = entry.second;
-    const bool pair = faces.size() == 2;
-    if (pair && faces[0].Backward != faces[1].Backward)
+    if (arePair(faces))
     {
       const int forward = faces[0].Backward ? 1 : 0;
       result.Edges.push_back({ entry.first.first, entry.first.second,
         { faces[forward].Face, faces[1 - forward].Face } });
       continue;
     }
-    ++(faces.size() == 1 ? result.OpenEdges
-       : pair            ? result.InconsistentEdges
-                         : result.NonManifoldEdges);
+    ++(faces.size() == 1   ? result.OpenEdges
+       : faces.size() == 2 ? result.InconsistentEdges
+                           : result.NonManifoldEdges);
     result.IrregularEdges.push_back({ entry.first.first, entry.first.second,
       static_cast<std::uint32_t>(result.IrregularFaces.size()),
       static_cast<std::uint32_t>(faces.size()) });

@@ -63,7 +63,7 @@ struct VTKSOFTSHADOWSSHADOWVOLUMES_EXPORT vtkShadowAdjacency
 
   // What was found.
   std::size_t OpenEdges = 0;         // of one face
-  std::size_t NonManifoldEdges = 0;  // of more than two
+  std::size_t NonManifoldEdges = 0;  // of more than two that are no pairs
   std::size_t InconsistentEdges = 0; // of two that are wound differently
   std::size_t DuplicateFaces = 0;
 

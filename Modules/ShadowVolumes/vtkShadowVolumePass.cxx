@@ -56,6 +56,11 @@ void vtkShadowVolumePass::FillVisibility(vtkShadowFrame& frame, vtkVisibilityBuf
   vtkShaderProgram::Substitute(surface, "//SHADOW::Declarations", this->GetLightsGLSL());
   vtkOpenGLState* state = frame.Window->GetState();
   this->MostFaces = 0.0;
+  if (!this->Volumes->UpdateDepth(frame, buffer))
+  {
+    this->ErrorOnce("no memory for the depth of " + std::to_string(buffer.GetWidth()) + " x " +
+                    std::to_string(buffer.GetHeight()) + " pixels; drawn without shadows.");
+  }
   for (int i = 0; i < static_cast<int>(frame.Lights.size()); ++i)
   {
     {

@@ -3,11 +3,15 @@
 //
 //   lines    index buffer  8 bytes a silhouette edge and place: pairs of the casters' vertices
 //   caps     index buffer  12 bytes a triangle, where volumes are counted by z-fail
-//   stencil  8 bits        beside the receivers' depth; counts wrap
+//   depth    DEPTH32F_STENCIL8  viewport size; the receivers' depth and the count, which wraps
 //   counts   R32F          viewport size; instead of the stencil where more than 255 volumes may nest
 //
 // A volume's sides reach from the edge to infinity (w = 0); in a parallel projection, which sees
 // nothing of infinity, as far as the picture goes.
+//
+// The depth is one of our own, made from the receivers' positions: near / distance, which in floats
+// is as fine at any distance, whatever the clipping range is. VTK's 24 bits of a range of 1 : 1000 are
+// too coarse for sides that leave a surface at a grazing angle, and those are a soft light's.
 
 #ifndef vtkShadowVolumes_h
 #define vtkShadowVolumes_h
@@ -66,6 +70,8 @@ public:
     return this->Lights[light].Samples;
   }
 
+  /** Make the depth that volumes are counted over; before Subtract. False when out of memory. */
+  bool UpdateDepth(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer);
   /**
    * Count the volumes of a light's place over the receivers' depth, and take the place's weight away
    * where the count is not zero, in a layer of the buffer's target.
@@ -115,11 +121,11 @@ private:
   static bool NeedsCaps(const vtkShadowCaster& caster, const std::vector<glm::dvec4>& shading);
   void UpdateCaps(vtkShadowFrame& frame, int light, int sample, const std::vector<int>& casters);
 
-  void SetExtrusion(
-    vtkShaderProgram* program, const vtkShadowCaster& caster, const glm::dvec4& place) const;
+  void SetExtrusion(vtkShaderProgram* program, const vtkShadowCaster& caster,
+    const glm::dvec4& place, const glm::dmat4& matrix) const;
   void SetFrontFace(bool reversed) const;
   void DrawSides(vtkShadowFrame& frame, const glm::dvec4& place, const Selection& selection,
-    const std::vector<vtkShadowCasterPart>& parts, const char* shader,
+    const std::vector<vtkShadowCasterPart>& parts, bool counted, const char* shader,
     const std::function<void(vtkShaderProgram*)>& setParameters);
   void DrawCaps(vtkShadowFrame& frame, const glm::dvec4& place, const char* shader,
     const std::function<void(vtkShaderProgram*)>& setParameters);
@@ -136,6 +142,10 @@ private:
 
   // The frame's view.
   glm::dmat4 WCToClip{ 1.0 };
+  glm::dmat4 WCToDraw{ 1.0 }; // to the clip coordinates that are drawn in, with a depth of our own
+  glm::dvec4 DepthRow{ 0.0 }; // of the matrix from VC to them: depth x w
+  glm::dvec4 WRow{ 0.0 };
+  bool ClipControl = false;               // their z runs from 0 to w
   std::vector<glm::dvec4> FrustumPlanes;  // inside is positive
   std::vector<glm::dvec3> FrustumCorners; // near ones first
   bool Parallel = false;
@@ -150,6 +160,7 @@ private:
   int CapSample = -1;
   std::vector<int> CapCasters;
   std::vector<vtkShadowCasterPart> CapParts;
+  vtkShadowTexture Depth;
   vtkShadowTexture Counts;
 };
 

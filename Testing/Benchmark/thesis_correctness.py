@@ -34,6 +34,10 @@ ROWS = [
     ("map-pcss", {}, 95.756),
     ("map-combined", {"midpoint": "off"}, 94.560),
     ("map-combined", {}, 95.325),
+    ("volume-hard", {}, 88.113),
+    ("volume-soft", {"samples": 64, "counting": "z-pass"}, 99.939),
+    ("volume-soft", {"samples": 64, "counting": "z-fail"}, 99.942),
+    ("volume-soft", {"samples": 64, "counting": "xor"}, 94.078),
 ]
 
 

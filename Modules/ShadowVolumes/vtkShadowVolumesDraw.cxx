@@ -1,0 +1,360 @@
+// The drawing side of vtkShadowVolumes: extrusion, counting, the debug view.
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkShadowFrame.h"
+#include "vtkShadowVolumeCapVS.h"
+#include "vtkShadowVolumeCountFS.h"
+#include "vtkShadowVolumeDepthFS.h"
+#include "vtkShadowVolumeResolveFS.h"
+#include "vtkShadowVolumeSidesGS.h"
+#include "vtkShadowVolumeViewFS.h"
+#include "vtkShadowVolumes.h"
+#include "vtkVisibilityBuffer.h"
+#include "vtk_glew.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+
+namespace
+{
+/**
+ * What a side seen from within is moved back, as a share of its depth near / distance: what rounding
+ * does to positions, see shadowRounding in vtkShadowLightsFS.glsl. Of a depth that is an even share of
+ * the clipping range, in a parallel view, it is a step of its 24 bits.
+ */
+constexpr float BackShare = 2.0f / 524288.0f;
+constexpr float BackStep = 1.0f / 16777216.0f;
+
+/** Faces are drawn from both sides, nothing but the count is written. */
+class CountingState
+{
+public:
+  CountingState(vtkOpenGLState* state, bool color)
+    : DepthMask(state)
+    , DepthFunc(state)
+    , ColorMask(state)
+    , BlendFunc(state)
+    , DepthTest(state, GL_DEPTH_TEST)
+    , CullFace(state, GL_CULL_FACE)
+    , StencilTest(state, GL_STENCIL_TEST)
+    , Blend(state, GL_BLEND)
+  {
+    state->vtkglDepthMask(GL_FALSE);
+    state->vtkglColorMask(color, color, color, color);
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDisable(GL_CULL_FACE);
+    state->vtkglDisable(GL_STENCIL_TEST);
+    state->vtkglDisable(GL_BLEND);
+  }
+
+private:
+  vtkOpenGLState::ScopedglDepthMask DepthMask;
+  vtkOpenGLState::ScopedglDepthFunc DepthFunc;
+  vtkOpenGLState::ScopedglColorMask ColorMask;
+  vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunc;
+  vtkOpenGLState::ScopedglEnableDisable DepthTest;
+  vtkOpenGLState::ScopedglEnableDisable CullFace;
+  vtkOpenGLState::ScopedglEnableDisable StencilTest;
+  vtkOpenGLState::ScopedglEnableDisable Blend;
+};
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowVolumes::SetExtrusion(vtkShaderProgram* program, const vtkShadowCaster& caster,
+  const glm::dvec4& place, const glm::dmat4& matrix) const
+{
+  // What is far from the light is keep x vertex - light, in clip coordinates: at infinity, keep is 1
+  // and the light its position, or keep 0 and the light the direction to it.
+  const bool positional = place.w != 0.0;
+  glm::dvec4 light = matrix * place;
+  double keep = positional ? 1.0 : 0.0;
+  if (this->Parallel)
+  {
+    // Far enough to leave the picture: by scaling the caster about the light until it is further
+    // away than all that is seen, or by moving it as far along the direction.
+    double reach = 0.0;
+    const glm::dvec3 from = positional ? glm::dvec3(place) : caster.GetMiddle();
+    for (const auto& corner : this->FrustumCorners)
+    {
+      reach = std::max(reach, glm::length(corner - from));
+    }
+    const double radius = caster.GetRadius();
+    if (positional)
+    {
+      const double gap = glm::length(caster.GetMiddle() - from) - radius;
+      light *= 1.0 - std::min(1.0, std::max(0.9 * gap / reach, 1e-6));
+    }
+    else
+    {
+      keep = 0.5 / (reach + radius);
+    }
+  }
+  const glm::vec4 lightDC(light);
+  program->SetUniform4f("shadowLightDC", glm::value_ptr(lightDC));
+  program->SetUniformf("shadowKeep", static_cast<float>(keep));
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowVolumes::DrawSides(vtkShadowFrame& frame, const glm::dvec4& place,
+  const Selection& selection, const std::vector<vtkShadowCasterPart>& parts, bool counted,
+  const char* shader, const std::function<void(vtkShaderProgram*)>& setParameters)
+{
+  vtkShadowCasterDraw how;
+  how.GeometryShader = vtkShadowVolumeSidesGS;
+  how.FragmentShader = shader;
+  // Over the picture, for the debug view, nothing is counted.
+  const glm::dmat4& matrix = counted ? this->WCToDraw : this->WCToClip;
+  how.SetParameters = [&](vtkShaderProgram* program)
+  {
+    const bool share = this->ClipControl && !this->Parallel;
+    const glm::vec2 back(counted && share ? BackShare : 0.0f,
+      !counted || share ? 0.0f : (this->ClipControl ? BackStep : 2.0f * BackStep));
+    program->SetUniform2f("shadowRetreat", glm::value_ptr(back));
+    program->SetUniformf("shadowFacing", this->Mirrored ? -1.0f : 1.0f);
+    if (setParameters)
+    {
+      setParameters(program);
+    }
+  };
+  how.SetCasterParameters = [&](vtkShaderProgram* program, const vtkShadowCaster& caster)
+  { this->SetExtrusion(program, caster, place, matrix); };
+  frame.Casters->DrawParts(frame.Window, matrix, GL_LINES, selection.Lines->Lines, parts, how);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowVolumes::DrawCaps(vtkShadowFrame& frame, const glm::dvec4& place, const char* shader,
+  const std::function<void(vtkShaderProgram*)>& setParameters)
+{
+  for (const bool far : { false, true })
+  {
+    vtkShadowCasterDraw how;
+    how.VertexShader = vtkShadowVolumeCapVS;
+    how.FragmentShader = shader;
+    how.SetParameters = [&](vtkShaderProgram* program)
+    {
+      program->SetUniformi("shadowFar", far ? 1 : 0);
+      if (setParameters)
+      {
+        setParameters(program);
+      }
+    };
+    how.SetCasterParameters = [&](vtkShaderProgram* program, const vtkShadowCaster& caster)
+    { this->SetExtrusion(program, caster, place, this->WCToDraw); };
+    // The near cap lies in surfaces that the light may reach: it counts as behind them, by the
+    // depth's own steps and the face's slope. The far cap is the same faces from behind.
+    (far ? glDisable : glEnable)(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(far ? 0.0f : -1.0f, far ? 0.0f : -1.0f);
+    this->SetFrontFace(far);
+    frame.Casters->DrawParts(
+      frame.Window, this->WCToDraw, GL_TRIANGLES, this->Caps, this->CapParts, how);
+  }
+  this->SetFrontFace(false);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowVolumes::SetFrontFace(bool reversed) const
+{
+  glFrontFace(this->Mirrored != reversed ? GL_CW : GL_CCW);
+}
+
+//------------------------------------------------------------------------------
+template <typename SetCounter>
+void vtkShadowVolumes::DrawVolumes(vtkShadowFrame& frame, const glm::dvec4& place,
+  const Selection& selection, const char* shader, SetCounter setCounter)
+{
+  vtkOpenGLState* state = frame.Window->GetState();
+  this->SetFrontFace(false);
+  if (this->ClipControl)
+  {
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  }
+  if (!selection.ZPass.empty())
+  {
+    // In front of the surface: +1 where a volume is entered, -1 where it is left.
+    state->vtkglDepthFunc(GL_GREATER);
+    this->DrawSides(frame, place, selection, selection.ZPass, true, shader, setCounter(true));
+  }
+  if (!selection.ZFail.empty())
+  {
+    // Behind it the other way round, clamped so that no end of the depth range cuts a volume open.
+    state->vtkglDepthFunc(GL_LEQUAL);
+    glEnable(GL_DEPTH_CLAMP);
+    const auto setParameters = setCounter(false);
+    this->DrawSides(frame, place, selection, selection.ZFail, true, shader, setParameters);
+    this->DrawCaps(frame, place, shader, setParameters);
+    glDisable(GL_DEPTH_CLAMP);
+  }
+  if (this->ClipControl)
+  {
+    glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+  }
+  glFrontFace(GL_CCW);
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowVolumes::UpdateDepth(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer)
+{
+  if (!this->Depth.Allocate(frame.Window, vtkShadowTexture::Format::DepthStencil, buffer.GetWidth(),
+        buffer.GetHeight(), 1))
+  {
+    return false;
+  }
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkShadowFramebuffer::Scope target(
+    frame.Window, buffer.GetFramebuffer(), nullptr, &this->Depth, 0);
+  const CountingState drawing(state, false);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglDepthFunc(GL_ALWAYS);
+  buffer.GetReceivers().Activate(frame.Window);
+  const glm::vec4 depthRow(this->DepthRow);
+  const glm::vec4 wRow(this->WRow);
+  frame.Quad->Draw(frame.Window, vtkShadowVolumeDepthFS,
+    [&](vtkShaderProgram* program)
+    {
+      program->SetUniformi("shadowReceivers", buffer.GetReceivers().GetUnit());
+      program->SetUniform4f("shadowDepthRow", glm::value_ptr(depthRow));
+      program->SetUniform4f("shadowWRow", glm::value_ptr(wRow));
+    });
+  buffer.GetReceivers().Deactivate(frame.Window);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowVolumes::Subtract(
+  vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int light, int sample)
+{
+  const glm::dvec4& place = this->Lights[light].Places[sample];
+  const Selection selection = this->Select(frame, light, sample);
+  if (selection.ZPass.empty() && selection.ZFail.empty())
+  {
+    return;
+  }
+  vtkOpenGLState* state = frame.Window->GetState();
+  if (selection.Wide)
+  {
+    this->Counts.Allocate(
+      frame.Window, vtkShadowTexture::Format::Float1, buffer.GetWidth(), buffer.GetHeight(), 1);
+    vtkShadowFramebuffer::Scope target(
+      frame.Window, buffer.GetFramebuffer(), &this->Counts, &this->Depth, 0);
+    CountingState counting(state, true);
+    const float none[] = { 0.0f, 0.0f, 0.0f, 0.0f };
+    glClearBufferfv(GL_COLOR, 0, none);
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+    this->DrawVolumes(frame, place, selection, vtkShadowVolumeCountFS,
+      [](bool passing)
+      {
+        return [passing](vtkShaderProgram* program)
+        {
+          program->SetUniformf("shadowFront", passing ? 1.0f : -1.0f);
+          program->SetUniformf("shadowBack", passing ? -1.0f : 1.0f);
+        };
+      });
+  }
+  vtkShadowFramebuffer::Scope target(
+    frame.Window, buffer.GetFramebuffer(), &buffer.GetTarget(), &this->Depth, light);
+  CountingState counting(state, false);
+  if (!selection.Wide)
+  {
+    const GLint zero = 0;
+    glStencilMask(0xFF);
+    glClearBufferiv(GL_STENCIL, 0, &zero);
+    state->vtkglEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_ALWAYS, 0, 0xFF);
+    this->DrawVolumes(frame, place, selection, nullptr,
+      [this](bool passing) -> std::function<void(vtkShaderProgram*)>
+      {
+        const bool parity = this->Current.Method == vtkShadowVolumeSettings::Counting::Xor;
+        const GLenum enter = parity ? GL_INVERT : (passing ? GL_INCR_WRAP : GL_DECR_WRAP);
+        const GLenum leave = parity ? GL_INVERT : (passing ? GL_DECR_WRAP : GL_INCR_WRAP);
+        glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, enter);
+        glStencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, leave);
+        return {};
+      });
+    glStencilFunc(GL_NOTEQUAL, 0, 0xFF);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+  }
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+  std::string source = vtkShadowVolumeResolveFS;
+  if (selection.Wide)
+  {
+    vtkShaderProgram::Substitute(
+      source, "//VTK::Output::Dec", "#define SHADOW_WIDE\n//VTK::Output::Dec");
+    this->Counts.Activate(frame.Window);
+  }
+  const glm::vec3 weight(this->Lights[light].Samples[sample].Weight);
+  frame.Quad->Draw(frame.Window, source,
+    [&](vtkShaderProgram* program)
+    {
+      program->SetUniform3f("shadowWeight", glm::value_ptr(weight));
+      if (selection.Wide)
+      {
+        program->SetUniformi("shadowCounts", this->Counts.GetUnit());
+      }
+    });
+  this->Counts.Deactivate(frame.Window);
+  glStencilFunc(GL_ALWAYS, 0, 0xFF);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowVolumes::AddFaces(
+  vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int light, int sample)
+{
+  const Selection selection = this->Select(frame, light, sample);
+  vtkShadowFramebuffer::Scope target(
+    frame.Window, buffer.GetFramebuffer(), &buffer.GetTarget(), nullptr, light);
+  vtkOpenGLState* state = frame.Window->GetState();
+  CountingState counting(state, true);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+  this->DrawVolumes(frame, this->Lights[light].Places[sample], selection, vtkShadowVolumeCountFS,
+    [](bool)
+    {
+      return [](vtkShaderProgram* program)
+      {
+        program->SetUniformf("shadowFront", 1.0f);
+        program->SetUniformf("shadowBack", 1.0f);
+      };
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowVolumes::DrawView(vtkShadowFrame& frame, int light, int sample)
+{
+  const glm::dvec4& place = this->Lights[light].Places[sample];
+  const Selection selection = this->Select(frame, light, sample);
+  vtkOpenGLState* state = frame.Window->GetState();
+  CountingState drawing(state, true);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);
+  this->SetFrontFace(false);
+  glEnable(GL_DEPTH_CLAMP);
+  const auto setColors = [](const glm::vec4& front, const glm::vec4& back)
+  {
+    return [front, back](vtkShaderProgram* program)
+    {
+      program->SetUniform4f("shadowFrontColor", glm::value_ptr(front));
+      program->SetUniform4f("shadowBackColor", glm::value_ptr(back));
+    };
+  };
+  for (const auto* parts : { &selection.ZPass, &selection.ZFail })
+  {
+    this->DrawSides(frame, place, selection, *parts, false, vtkShadowVolumeViewFS,
+      setColors({ 0.2f, 0.4f, 1.0f, 0.2f }, { 1.0f, 0.5f, 0.1f, 0.2f }));
+    vtkShadowCasterDraw how;
+    how.FragmentShader = vtkShadowVolumeViewFS;
+    how.SetParameters = setColors({ 1.0f, 1.0f, 0.2f, 1.0f }, { 1.0f, 1.0f, 0.2f, 1.0f });
+    frame.Casters->DrawParts(
+      frame.Window, this->WCToClip, GL_LINES, selection.Lines->Lines, *parts, how);
+  }
+  glDisable(GL_DEPTH_CLAMP);
+  glFrontFace(GL_CCW);
+}
