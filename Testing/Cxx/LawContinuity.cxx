@@ -74,7 +74,7 @@ SHADOW_TEST(Law, ZeroSizeIsHard, Each)
   ShadowStage stage;
   stage.AddThings();
   vtkLight* light = stage.AddLight(LightKind::Point);
-  const Visibility truth = ShadowOracle(stage).GetHard(light);
+  const Visibility truth = ShadowOracle(stage).GetHard(light, technique);
   const Visibility fine = Show(technique, LightKind::Point, 0.0, { { "resolution", "1024" } });
   ShadowTest::CheckAtMost(
     Compare(fine, truth, 0.5).Share, 0.015, "pixels that differ from the truth");
@@ -161,7 +161,7 @@ SHADOW_TEST(Law, ShadowTouchesItsCaster, Each)
       stage.Render();
       const Visibility visibility = stage.GetVisibility();
       const ShadowOracle oracle(stage);
-      const Visibility truth = oracle.GetHard(light);
+      const Visibility truth = oracle.GetHard(light, technique);
       const auto mask = oracle.GetMask(floor);
       const auto& pixels = oracle.GetPixels();
 
