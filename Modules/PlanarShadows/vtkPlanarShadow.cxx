@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -15,6 +16,32 @@ constexpr double Rounding = 1e-6;
 
 /** Beyond this share of the light's height, shadows go on to the end of the plane. */
 constexpr double HighestShare = 0.999;
+
+/** What of the receivers' extent a penumbra may need beside them: more would cost all the others. */
+constexpr double MostMargin = 0.25;
+
+/** Overlaps of less than this share of the receivers' extent are rounding. */
+constexpr double Touch = 1e-9;
+
+/** Windows end on a grid of at least so many cells to a side. */
+constexpr double CellsOfWindow = 16.0;
+
+/**
+ * A window's ends on a grid that halves the receivers' extent some times: where light or casters move
+ * a little, the texels stay where they are, and edges do not swim.
+ */
+void Snap(double& low, double& high, double receiversLow, double receiversHigh)
+{
+  const double extent = receiversHigh - receiversLow;
+  const double size = high - low;
+  if (extent > 0.0 && size > 1e-12 * extent)
+  {
+    const double cell = extent / std::exp2(std::ceil(std::log2(CellsOfWindow * extent / size)));
+    // Rounding is not to cross a line of the grid.
+    low = receiversLow + cell * std::floor((low - receiversLow) / cell + 1e-3);
+    high = receiversLow + cell * std::ceil((high - receiversLow) / cell - 1e-3);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -61,6 +88,15 @@ glm::dmat4 vtkPlanarShadow::GetWindow() const
   rows[1] = glm::dvec4(this->Plane.Y, -middle.y) * scale.y;
   rows[3] = glm::dvec4(0.0, 0.0, 0.0, 1.0);
   return glm::transpose(rows);
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 vtkPlanarShadow::GetMiddle() const
+{
+  const vtkPlaneRectangle& area = this->Casters.empty() ? this->Plane.Receivers : this->Window;
+  const glm::dvec2 middle = area.IsEmpty() ? glm::dvec2(0.0) : 0.5 * (area.Low + area.High);
+  return this->Plane.Distance * this->Plane.Normal + middle.x * this->Plane.X +
+         middle.y * this->Plane.Y;
 }
 
 //------------------------------------------------------------------------------
@@ -155,28 +191,30 @@ void vtkPlanarShadow::Find(const vtkShadowCasters& casters, bool around)
     if (around)
     {
       // What lies beside a receiver can still reach into its penumbrae.
-      const glm::dvec2 margin(std::min(reach, glm::length(seen.High - seen.Low)));
+      const glm::dvec2 margin(std::min(reach, MostMargin * glm::length(seen.High - seen.Low)));
       seen.Low -= margin;
       seen.High += margin;
     }
+    // One that only touches a receiver's border darkens nothing.
+    const glm::dvec2 least = Touch * (seen.High - seen.Low);
     seen.Intersect(shadow);
-    if (!seen.IsEmpty())
+    if (!seen.IsEmpty() && seen.High.x - seen.Low.x > least.x && seen.High.y - seen.Low.y > least.y)
     {
       this->Casters.push_back(static_cast<int>(i));
       this->Spread = std::max(this->Spread, spread);
       all.Add(seen);
     }
   }
-  const glm::dvec2 size = all.High - all.Low;
-  if (this->Casters.empty() || !(std::max(size.x, size.y) > 0.0))
+  if (this->Casters.empty())
   {
-    this->Casters.clear();
     return;
   }
-  // A caster seen edge-on has no width.
-  const glm::dvec2 least(0.5 * Rounding * std::max(size.x, size.y));
-  this->Window = { glm::min(all.Low, 0.5 * (all.Low + all.High) - least),
-    glm::max(all.High, 0.5 * (all.Low + all.High) + least) };
+  this->Window = all;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    Snap(this->Window.Low[axis], this->Window.High[axis], this->Plane.Receivers.Low[axis],
+      this->Plane.Receivers.High[axis]);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -184,6 +222,10 @@ bool vtkPlanarShadow::Same(const vtkPlanarShadow& other) const
 {
   return this->Light.SameGeometry(other.Light) && this->Plane == other.Plane &&
          this->Side == other.Side && this->Casters == other.Casters &&
-         this->Window == other.Window && this->Samples.size() == other.Samples.size() &&
+         this->Window == other.Window &&
+         std::equal(this->Samples.begin(), this->Samples.end(), other.Samples.begin(),
+           other.Samples.end(),
+           [](const vtkLightSample& a, const vtkLightSample& b)
+           { return a.Point == b.Point && a.Weight == b.Weight; }) &&
          this->Weight == other.Weight && this->Spread == other.Spread;
 }

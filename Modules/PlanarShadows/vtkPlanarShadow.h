@@ -44,6 +44,8 @@ struct VTKSOFTSHADOWSPLANARSHADOWS_EXPORT vtkPlanarShadow
   glm::dmat4 GetProjection(const glm::dvec4& place) const;
   /** From WC to clip coordinates of the window, of what lies on the plane; z is 0. */
   glm::dmat4 GetWindow() const;
+  /** The window's middle, in WC. */
+  glm::dvec3 GetMiddle() const;
   /**
    * How far the shadow of something at a height moves, as a share of what the light's point moves
    * along the plane: h / (H - h); for directions h / H.

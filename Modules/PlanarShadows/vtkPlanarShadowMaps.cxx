@@ -48,7 +48,7 @@ constexpr double BorderTexels = 1.5;
 bool vtkPlanarShadowSettings::operator==(const vtkPlanarShadowSettings& other) const
 {
   const auto tie = [](const vtkPlanarShadowSettings& s)
-  { return std::tie(s.Technique, s.Resolution, s.Samples, s.Kernel); };
+  { return std::tie(s.Technique, s.Resolution, s.Samples, s.Kernel, s.Skipping); };
   return tie(*this) == tie(other);
 }
 
@@ -71,22 +71,15 @@ std::vector<vtkLightSample> vtkPlanarShadowMaps::GetSamples(
   const bool one = this->Current.Technique != Kind::Soft || this->Current.Samples == 1;
   if (!one && !light.IsPoint())
   {
-    // A sphere's samples lie on the disk that faces the shadow's middle.
+    // A sphere's samples lie on the disk that faces the middle of the centre's shadow.
     glm::dvec3 middle(0.0);
-    double count = 0.0;
-    for (const auto& caster : casters.Get())
+    if (light.Kind == vtkShadowLight::Shape::Sphere)
     {
-      if (!plane.Holds(caster))
-      {
-        middle += 0.5 * (caster.Corners[0] + caster.Corners[7]);
-        count += 1.0;
-      }
-    }
-    middle /= std::max(count, 1.0);
-    const double share = plane.GetHeight(middle) / plane.GetHeight(centre - casters.GetOrigin());
-    if (!light.IsDirectional() && share > 0.0 && share < 0.9)
-    {
-      middle += (middle - (centre - casters.GetOrigin())) * (share / (1.0 - share));
+      const glm::dvec3 centreWC = centre - casters.GetOrigin();
+      vtkPlanarShadow shadow(light, plane, plane.GetHeight(centreWC) < 0.0 ? -1.0 : 1.0);
+      shadow.Samples = { { centreWC, glm::dvec3(1.0) } };
+      shadow.Find(casters, false);
+      middle = shadow.GetMiddle();
     }
     samples = light.GetSamples(this->Current.Samples, middle + casters.GetOrigin());
   }
@@ -122,7 +115,7 @@ void vtkPlanarShadowMaps::MakeEntries(vtkShadowFrame& frame, const vtkShadowPlan
             shadow.Weight += sample.Weight;
           }
         }
-        shadow.Find(casters, this->Current.Technique == Kind::Fake);
+        shadow.Find(casters, this->Current.Technique == Kind::Fake && !light.IsPoint());
         sides += shadow.Samples.empty() ? 0 : 1;
         both.push_back(std::move(entry));
       }
@@ -518,10 +511,13 @@ std::string vtkPlanarShadowMaps::GetGLSL() const
     source, "//SHADOW::LookUp", lookUps[static_cast<int>(this->Current.Technique)]);
   const auto define = [](const char* name, std::size_t value)
   { return "#define " + std::string(name) + " " + std::to_string(value) + "\n"; };
+  // The levels of other sizes leave out texels.
+  const int side = this->Current.Resolution;
+  const bool skipping = this->Current.Skipping && (side & (side - 1)) == 0;
   return define("SHADOW_PLANES", this->Planes.size()) + define("SHADOW_SIDES", this->Sides) +
          define("SHADOW_RECORD_VECTORS", this->GetRecordSize()) +
          define("SHADOW_KERNEL", this->Current.Kernel) + "#define SHADOW_CHANNELS " +
-         (this->Color ? "rgb\n" : "rrr\n") +
+         (this->Color ? "rgb\n" : "rrr\n") + (skipping ? "#define SHADOW_SKIPPING\n" : "") +
          (this->Few ? define("SHADOW_FEW_RECORDS", this->Records.size()) : "") + source;
 }
 
@@ -560,8 +556,8 @@ void vtkPlanarShadowMaps::SetParameters(vtkShaderProgram* program)
 //------------------------------------------------------------------------------
 double vtkPlanarShadowMaps::GetMaximumCost() const
 {
-  const double taps = this->Current.Kernel * this->Current.Kernel;
-  return this->Sides * (this->Current.Technique == Kind::Fake ? 2.0 * taps : 1.0);
+  const double taps = std::pow(this->Current.Kernel, 2);
+  return this->Sides * (this->Current.Technique == Kind::Fake ? 9.0 + 2.0 * taps : 1.0);
 }
 
 //------------------------------------------------------------------------------

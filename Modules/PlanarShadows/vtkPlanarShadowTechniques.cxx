@@ -95,14 +95,18 @@ vtkShadowTechniqueAutoInit(VTKSOFTSHADOWSPLANARSHADOWS_EXPORT, vtkSoftShadowsPla
     t.Parameters = { { "kernel", Type::Integer, "7", 1, 31, {}, "taps",
                        "Taps a side, both to find the blockers and to filter",
                        { "7", "7", "11", "15" } },
-      Resolution(), Planes() };
+      Resolution(), Planes(),
+      { "skipping", Type::Boolean, "on", 0, 0, {}, "",
+        "Leave out the filter where a coarse level tells that a receiver is surely lit or dark (at "
+        "resolutions that are powers of two); the picture is the same without",
+        {} } };
     t.Resources = { "coverage and spread with levels, 10.7 bytes a texel, resolution^2 each light "
                     "and plane that casters darken" };
     t.Limits = Limits({ "One shadow, from the light's centre, stands for all: behind casters at "
-                        "several heights the penumbra is that of their mean.",
-      "A textured light counts as evenly bright, and one that reaches through a plane as its "
-      "centre's "
-      "side.",
+                        "several heights, or of a light among its casters, the penumbra is that of "
+                        "their mean.",
+      "A textured light counts as evenly bright; one that reaches through a plane is on its "
+      "centre's side.",
       "Edges are as sharp as a texel of the layer." });
     return t;
   }

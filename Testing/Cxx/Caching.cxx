@@ -182,7 +182,10 @@ SHADOW_TEST(Caching, NothingIsStale, Each)
     const Visibility after = stage.GetVisibility();
     ShadowTest::Check(Same(after, expected), std::string(edit.Name) + ": V is stale, by at most " +
                                                std::to_string(Compare(after, expected).Maximum));
-    if (edit.Expected != Nothing)
+    // An edge that is exact to the pixel can move a hair without crossing a pixel's centre.
+    const auto& description = ShadowStage::Describe(technique);
+    const bool exact = description.Hard && description.PlanarReceivers;
+    if (edit.Expected != Nothing && !(exact && std::string(edit.Name) == "light moved a hair"))
     {
       ShadowTest::Check(!Same(after, before), std::string(edit.Name) + ": no change in V");
     }
@@ -201,9 +204,16 @@ SHADOW_TEST(Caching, OnlyTheChangedIsRebuilt, Each)
     edit.Apply(stage);
     stage.Render();
     const std::string what = edit.Name;
+    // A mask of the picture's own pixels is drawn for each camera.
+    const auto& description = ShadowStage::Describe(technique);
+    std::vector<const char*> counted = { "mapsDrawn", "meshesBuilt" };
+    if (!description.Hard)
+    {
+      counted.push_back("planarMapsDrawn");
+    }
     ShadowTest::CheckEqual(stage.Count("castersRebuilt"), edit.Expected == Casters ? 1.0 : 0.0,
       what + ", castersRebuilt");
-    for (const char* name : { "mapsDrawn", "meshesBuilt" }) // of the techniques that have them
+    for (const char* name : counted) // of the techniques that have them
     {
       const double count = stage.Count(name);
       if (count >= 0.0 && edit.Expected == Nothing)
@@ -211,9 +221,12 @@ SHADOW_TEST(Caching, OnlyTheChangedIsRebuilt, Each)
         ShadowTest::CheckEqual(count, 0.0, what + ", " + name);
       }
     }
-    if (stage.Count("mapsDrawn") >= 0.0 && edit.Expected != Nothing)
+    for (const char* name : { "mapsDrawn", "planarMapsDrawn" })
     {
-      ShadowTest::CheckAtLeast(stage.Count("mapsDrawn"), 1.0, what + ", mapsDrawn");
+      if (stage.Count(name) >= 0.0 && edit.Expected != Nothing)
+      {
+        ShadowTest::CheckAtLeast(stage.Count(name), 1.0, what + ", " + name);
+      }
     }
     if (stage.Count("meshesBuilt") >= 0.0 && edit.Expected == LightData)
     {

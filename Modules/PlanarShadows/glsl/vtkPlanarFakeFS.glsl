@@ -6,10 +6,11 @@
 //   4     what they grow by with the place; the largest spread; 0 rectangle, 1 disk, 2 sphere
 //   5     of a sphere: the foot of its centre, its height, its radius
 //   6     the layer's size along the plane, in world units
-#ifdef SHADOW_HARD
-#define SHADOW_COST 1.0
+
+#if defined(SHADOW_HARD) || !defined(SHADOW_SKIPPING)
+#define SHADOW_CHECKS 1.0
 #else
-#define SHADOW_COST float(2 * SHADOW_KERNEL * SHADOW_KERNEL)
+#define SHADOW_CHECKS 9.0
 #endif
 
 // The light's half axes at a place: those of its parallel projection onto the plane along the ray.
@@ -42,22 +43,17 @@ float shadowGetLevel(vec2 u, vec2 v)
   return log2(max(apart, 1.0));
 }
 
-SHADOW_VISIBILITY shadowLookUp(int record, float layer, vec3 positionVC)
+// The coverage of the place that is filtered over the light's shape.
+float shadowFilter(float layer, vec2 place, vec2 u, vec2 v, float most, bool disk)
 {
-  vec2 place = vec2(dot(SHADOW_RECORD(record + 1), vec4(positionVC, 1.0)),
-    dot(SHADOW_RECORD(record + 2), vec4(positionVC, 1.0)));
-#ifdef SHADOW_HARD
-  return SHADOW_VISIBILITY(1.0 - textureLod(shadowPlanarMaps, vec3(place, layer), 0.0).r);
-#else
-  vec2 u, v;
-  shadowGetAxes(record, place, u, v);
-  float most = SHADOW_RECORD(record + 4).z;
-  bool disk = SHADOW_RECORD(record + 4).w > 0.5;
+  shadowCost += float(2 * SHADOW_KERNEL * SHADOW_KERNEL);
   const float cell = 2.0 / float(SHADOW_KERNEL);
 
   // The mean spread of what can hide the light: a blocker that is seen this far off centre must
-  // spread at least that far.
-  float level = shadowGetLevel(most * u, most * v);
+  // spread at least that far. It is looked for no further than the layer is wide.
+  float reach = min(most, 0.5 / max(max(length(u), length(v)), 1e-30));
+  float share = reach / most;
+  float level = shadowGetLevel(reach * u, reach * v);
   vec2 blockers = vec2(0.0);
   for (int y = 0; y < SHADOW_KERNEL; ++y)
   {
@@ -65,10 +61,10 @@ SHADOW_VISIBILITY shadowLookUp(int record, float layer, vec3 positionVC)
     {
       vec2 tap = (vec2(x, y) + 0.5) * cell - 1.0;
       vec2 texel = textureLod(
-        shadowPlanarMaps, vec3(place + most * (tap.x * u + tap.y * v), layer), level).rg;
+        shadowPlanarMaps, vec3(place + reach * (tap.x * u + tap.y * v), layer), level).rg;
       float spread = 1.0 - texel.g / max(texel.r, 1e-6);
       float off = disk ? length(tap) : max(abs(tap.x), abs(tap.y));
-      float counts = texel.r > 1e-6 && off <= spread + 0.5 * cell ? texel.r : 0.0;
+      float counts = texel.r > 1e-6 && share * off <= spread + share * 0.5 * cell ? texel.r : 0.0;
       blockers += counts * vec2(1.0, spread);
     }
   }
@@ -90,7 +86,48 @@ SHADOW_VISIBILITY shadowLookUp(int record, float layer, vec3 positionVC)
       sum += weight * vec2(covered, 1.0);
     }
   }
-  float visibility = blockers.x > 0.0 ? 1.0 - sum.x / sum.y : 1.0;
-  return SHADOW_VISIBILITY(visibility > 2e-5 ? visibility : 0.0);
+  float coverage = blockers.x > 0.0 ? sum.x / sum.y : 0.0;
+  return 1.0 - coverage > 2e-5 ? coverage : 1.0;
+}
+
+SHADOW_VISIBILITY shadowLookUp(int record, float layer, vec3 positionVC)
+{
+  vec2 place = vec2(dot(SHADOW_RECORD(record + 1), vec4(positionVC, 1.0)),
+    dot(SHADOW_RECORD(record + 2), vec4(positionVC, 1.0)));
+  // Penumbrae end within the layer.
+  bool inside = all(lessThan(abs(place - 0.5), vec2(0.5)));
+  shadowCost += SHADOW_CHECKS;
+#ifdef SHADOW_HARD
+  float coverage = textureLod(shadowPlanarMaps, vec3(place, layer), 0.0).r;
+#else
+  vec2 u, v;
+  shadowGetAxes(record, place, u, v);
+  float most = SHADOW_RECORD(record + 4).z;
+  bool disk = SHADOW_RECORD(record + 4).w > 0.5;
+#ifdef SHADOW_SKIPPING
+  // Nine look-ups on a level whose texels are so wide that they read all that others can: nothing
+  // there, or nothing else. A branch, so that loops within end at once: software rasterizers too.
+  vec2 side = vec2(textureSize(shadowPlanarMaps, 0).xy);
+  vec2 extent = most * (abs(u) + abs(v)) * side;
+  float wide = max(extent.x, extent.y) + 1.5 * exp2(ceil(shadowGetLevel(most * u, most * v)));
+  float level = ceil(log2(wide / 1.5));
+  vec2 apart = exp2(level) / side;
+  float coverage = 0.0;
+  for (int tap = 0; tap < 9; ++tap)
+  {
+    vec2 offset = vec2(tap % 3 - 1, tap / 3 - 1) * apart;
+    coverage += textureLod(shadowPlanarMaps, vec3(place + offset, layer), level).r;
+  }
+  coverage = coverage == 9.0 ? 1.0 : min(coverage, 0.5);
+  bool filtered = inside && coverage > 0.0 && coverage < 1.0;
+#else
+  float coverage = 0.0;
+  bool filtered = inside;
 #endif
+  if (filtered)
+  {
+    coverage = shadowFilter(layer, place, u, v, most, disk);
+  }
+#endif
+  return SHADOW_VISIBILITY(inside ? 1.0 - coverage : 1.0);
 }

@@ -45,7 +45,6 @@ SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionVC, vec3 normalVC)
     if (record.w >= 0.0)
     {
       visibility = shadowLookUp(first, record.w, positionVC);
-      shadowCost += SHADOW_COST;
     }
 #if SHADOW_SIDES > 1
     // The light reaches through the plane: the receiver's own surface hides what is behind it.
@@ -55,7 +54,6 @@ SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionVC, vec3 normalVC)
     if (below.w >= 0.0)
     {
       belowVisibility = shadowLookUp(first + SHADOW_RECORD_VECTORS, below.w, positionVC);
-      shadowCost += SHADOW_COST;
     }
     visibility = shadowSelf && facing < 0.0 ? 1.0 - SHADOW_VISIBILITY(record) : visibility;
     belowVisibility = shadowSelf && facing >= 0.0 ? 1.0 - SHADOW_VISIBILITY(below) : belowVisibility;
