@@ -78,7 +78,14 @@ SHADOW_TEST(Law, ZeroSizeIsHard, Each)
   const Visibility fine = Show(technique, LightKind::Point, 0.0, { { "resolution", "1024" } });
   ShadowTest::CheckAtMost(
     Compare(fine, truth, 0.5).Share, 0.015, "pixels that differ from the truth");
-  const auto edges = GetEdges(truth, 2);
+  // An interpolated layer along a plane begins within a texel before its caster's foot, which a map
+  // shows.
+  auto edges = GetEdges(truth, 2);
+  const auto inner = ShadowOracle(stage).GetInner(2);
+  for (std::size_t i = 0; ShadowStage::Describe(technique).PlanarReceivers && i < edges.size(); ++i)
+  {
+    edges[i] = edges[i] || !inner[i];
+  }
   std::size_t between = 0;
   for (std::size_t i = 0; i < fine.V.size(); ++i)
   {

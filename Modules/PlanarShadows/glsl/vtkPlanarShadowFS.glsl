@@ -39,6 +39,8 @@ SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionVC, vec3 normalVC)
   int plane = shadowFindPlane(positionVC, normalVC);
   if (plane >= 0)
   {
+    // With one plane all indices are constant, which software rasterizers are glad of.
+    plane = SHADOW_PLANES == 1 ? 0 : plane;
     int first =
       SHADOW_PLANES + (light * SHADOW_PLANES + plane) * SHADOW_SIDES * SHADOW_RECORD_VECTORS;
     vec4 record = SHADOW_RECORD(first);
