@@ -94,7 +94,7 @@ vtkShadowTechniqueAutoInit(VTKSOFTSHADOWSPLANARSHADOWS_EXPORT, vtkSoftShadowsPla
       Support::Approximate, Support::Approximate, Support::Approximate };
     t.Parameters = { { "kernel", Type::Integer, "7", 1, 31, {}, "taps",
                        "Taps a side, both to find the blockers and to filter",
-                       { "7", "7", "11", "15" } },
+                       { "5", "7", "7", "15" } },
       Resolution(), Planes(),
       { "skipping", Type::Boolean, "on", 0, 0, {}, "",
         "Leave out the filter where a coarse level tells that a receiver is surely lit or dark (at "
