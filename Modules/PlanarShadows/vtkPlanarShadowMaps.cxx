@@ -48,7 +48,7 @@ constexpr double BorderTexels = 1.5;
 bool vtkPlanarShadowSettings::operator==(const vtkPlanarShadowSettings& other) const
 {
   const auto tie = [](const vtkPlanarShadowSettings& s)
-  { return std::tie(s.Technique, s.Resolution, s.Samples, s.Kernel, s.Skipping); };
+  { return std::tie(s.Technique, s.Resolution, s.Samples, s.Kernel); };
   return tie(*this) == tie(other);
 }
 
@@ -511,13 +511,10 @@ std::string vtkPlanarShadowMaps::GetGLSL() const
     source, "//SHADOW::LookUp", lookUps[static_cast<int>(this->Current.Technique)]);
   const auto define = [](const char* name, std::size_t value)
   { return "#define " + std::string(name) + " " + std::to_string(value) + "\n"; };
-  // The levels of other sizes leave out texels.
-  const int side = this->Current.Resolution;
-  const bool skipping = this->Current.Skipping && (side & (side - 1)) == 0;
   return define("SHADOW_PLANES", this->Planes.size()) + define("SHADOW_SIDES", this->Sides) +
          define("SHADOW_RECORD_VECTORS", this->GetRecordSize()) +
          define("SHADOW_KERNEL", this->Current.Kernel) + "#define SHADOW_CHANNELS " +
-         (this->Color ? "rgb\n" : "rrr\n") + (skipping ? "#define SHADOW_SKIPPING\n" : "") +
+         (this->Color ? "rgb\n" : "rrr\n") +
          (this->Few ? define("SHADOW_FEW_RECORDS", this->Records.size()) : "") + source;
 }
 
@@ -557,7 +554,7 @@ void vtkPlanarShadowMaps::SetParameters(vtkShaderProgram* program)
 double vtkPlanarShadowMaps::GetMaximumCost() const
 {
   const double taps = std::pow(this->Current.Kernel, 2);
-  return this->Sides * (this->Current.Technique == Kind::Fake ? 9.0 + 2.0 * taps : 1.0);
+  return this->Sides * (this->Current.Technique == Kind::Fake ? 1.0 + 2.0 * taps : 1.0);
 }
 
 //------------------------------------------------------------------------------

@@ -44,7 +44,6 @@ struct vtkPlanarShadowSettings
   int Resolution = 1024; // of soft and fake
   int Samples = 64;      // of soft
   int Kernel = 7;        // taps a side of fake
-  bool Skipping = true;  // of its filter, where it is not needed
 
   bool operator==(const vtkPlanarShadowSettings& other) const;
 };

@@ -94,7 +94,6 @@ bool vtkPlanarShadowPass::UpdateLightData(vtkShadowFrame& frame)
   settings.Resolution = this->GetResolution(frame);
   settings.Samples = settings.Technique == Kind::Soft ? this->GetInteger("samples") : 1;
   settings.Kernel = settings.Technique == Kind::Fake ? this->GetInteger("kernel") : 1;
-  settings.Skipping = settings.Technique == Kind::Fake && this->GetBoolean("skipping");
 
   const bool changed = this->Planes->Update(*frame.Casters, this->GetInteger("planes"));
   const auto planes = static_cast<int>(this->Planes->Get().size());

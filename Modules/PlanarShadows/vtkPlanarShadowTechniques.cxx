@@ -95,11 +95,7 @@ vtkShadowTechniqueAutoInit(VTKSOFTSHADOWSPLANARSHADOWS_EXPORT, vtkSoftShadowsPla
     t.Parameters = { { "kernel", Type::Integer, "7", 1, 31, {}, "taps",
                        "Taps a side, both to find the blockers and to filter",
                        { "5", "7", "7", "15" } },
-      Resolution(), Planes(),
-      { "skipping", Type::Boolean, "on", 0, 0, {}, "",
-        "Leave out the filter where a coarse level tells that a receiver is surely lit or dark (at "
-        "resolutions that are powers of two); the picture is the same without",
-        {} } };
+      Resolution(), Planes() };
     t.Resources = { "coverage and spread with levels, 10.7 bytes a texel, resolution^2 each light "
                     "and plane that casters darken" };
     t.Limits = Limits({ "One shadow, from the light's centre, stands for all: behind casters at "

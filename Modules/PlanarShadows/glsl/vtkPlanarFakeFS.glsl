@@ -7,12 +7,6 @@
 //   5     of a sphere: the foot of its centre, its height, its radius
 //   6     the layer's size along the plane, in world units
 
-#if defined(SHADOW_HARD) || !defined(SHADOW_SKIPPING)
-#define SHADOW_CHECKS 1.0
-#else
-#define SHADOW_CHECKS 9.0
-#endif
-
 // The light's half axes at a place: those of its parallel projection onto the plane along the ray.
 void shadowGetAxes(int record, vec2 place, out vec2 u, out vec2 v)
 {
@@ -94,40 +88,20 @@ SHADOW_VISIBILITY shadowLookUp(int record, float layer, vec3 positionVC)
 {
   vec2 place = vec2(dot(SHADOW_RECORD(record + 1), vec4(positionVC, 1.0)),
     dot(SHADOW_RECORD(record + 2), vec4(positionVC, 1.0)));
-  // Penumbrae end within the layer.
-  bool inside = all(lessThan(abs(place - 0.5), vec2(0.5)));
-  shadowCost += SHADOW_CHECKS;
+  shadowCost += 1.0;
+  float coverage = 0.0;
+  // Penumbrae end within the layer. A branch, so that loops within end at once: software rasterizers
+  // too.
+  if (all(lessThan(abs(place - 0.5), vec2(0.5))))
+  {
 #ifdef SHADOW_HARD
-  float coverage = textureLod(shadowPlanarMaps, vec3(place, layer), 0.0).r;
+    coverage = textureLod(shadowPlanarMaps, vec3(place, layer), 0.0).r;
 #else
-  vec2 u, v;
-  shadowGetAxes(record, place, u, v);
-  float most = SHADOW_RECORD(record + 4).z;
-  bool disk = SHADOW_RECORD(record + 4).w > 0.5;
-#ifdef SHADOW_SKIPPING
-  // Nine look-ups on a level whose texels are so wide that they read all that others can: nothing
-  // there, or nothing else. A branch, so that loops within end at once: software rasterizers too.
-  vec2 side = vec2(textureSize(shadowPlanarMaps, 0).xy);
-  vec2 extent = most * (abs(u) + abs(v)) * side;
-  float wide = max(extent.x, extent.y) + 1.5 * exp2(ceil(shadowGetLevel(most * u, most * v)));
-  float level = ceil(log2(wide / 1.5));
-  vec2 apart = exp2(level) / side;
-  float coverage = 0.0;
-  for (int tap = 0; tap < 9; ++tap)
-  {
-    vec2 offset = vec2(tap % 3 - 1, tap / 3 - 1) * apart;
-    coverage += textureLod(shadowPlanarMaps, vec3(place + offset, layer), level).r;
-  }
-  coverage = coverage == 9.0 ? 1.0 : min(coverage, 0.5);
-  bool filtered = inside && coverage > 0.0 && coverage < 1.0;
-#else
-  float coverage = 0.0;
-  bool filtered = inside;
+    vec2 u, v;
+    shadowGetAxes(record, place, u, v);
+    vec4 form = SHADOW_RECORD(record + 4);
+    coverage = shadowFilter(layer, place, u, v, form.z, form.w > 0.5);
 #endif
-  if (filtered)
-  {
-    coverage = shadowFilter(layer, place, u, v, most, disk);
   }
-#endif
-  return SHADOW_VISIBILITY(inside ? 1.0 - coverage : 1.0);
+  return SHADOW_VISIBILITY(1.0 - coverage);
 }
