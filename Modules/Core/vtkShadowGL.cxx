@@ -40,7 +40,7 @@ bool vtkShadowTexture::Allocate(
     { GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, 4 },
     { GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV, 8 },
     { GL_R32F, GL_RED, GL_FLOAT, 4 }, { GL_RG32F, GL_RG, GL_FLOAT, 8 },
-    { GL_RGBA32F, GL_RGBA, GL_FLOAT, 16 } };
+    { GL_RGBA32F, GL_RGBA, GL_FLOAT, 16 }, { GL_R8, GL_RED, GL_UNSIGNED_BYTE, 1 } };
   const Layout& layout = layouts[static_cast<int>(format)];
   while (glGetError() != GL_NO_ERROR)
   {
@@ -72,10 +72,11 @@ void vtkShadowTexture::SetSampling(vtkOpenGLRenderWindow* window, Sampling sampl
 {
   const bool active = this->Unit >= 0;
   this->Activate(window);
-  const bool linear = sampling == Sampling::CompareLinear;
-  const bool compare = linear || sampling == Sampling::CompareNearest;
+  const bool linear = sampling == Sampling::CompareLinear || sampling == Sampling::Linear;
+  const bool compare = sampling == Sampling::CompareLinear || sampling == Sampling::CompareNearest;
   const GLint nearest = this->Levels > 1 ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST;
-  glTexParameteri(this->Target, GL_TEXTURE_MIN_FILTER, linear ? GL_LINEAR : nearest);
+  const GLint between = this->Levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR;
+  glTexParameteri(this->Target, GL_TEXTURE_MIN_FILTER, linear ? between : nearest);
   glTexParameteri(this->Target, GL_TEXTURE_MAG_FILTER, linear ? GL_LINEAR : GL_NEAREST);
   if (this->TexelFormat == Format::Depth)
   {
@@ -121,6 +122,18 @@ void vtkShadowTexture::UploadLayer(vtkOpenGLRenderWindow* window, int layer, con
   window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   glTexSubImage3D(this->Target, 0, 0, 0, layer, this->Width, this->Height, 1,
     this->TexelFormat == Format::Float1 ? GL_RED : GL_RGBA, GL_FLOAT, values);
+  if (!active)
+  {
+    this->Deactivate(window);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTexture::MakeLevels(vtkOpenGLRenderWindow* window)
+{
+  const bool active = this->Unit >= 0;
+  this->Activate(window);
+  glGenerateMipmap(this->Target);
   if (!active)
   {
     this->Deactivate(window);

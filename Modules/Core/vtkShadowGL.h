@@ -23,16 +23,18 @@ class VTKSOFTSHADOWSCORE_EXPORT vtkShadowTexture
 public:
   enum class Format
   {
-    Depth,   // 32-bit float
-    Depth24, // and 8 bits of stencil, as windows have it
+    Depth,        // 32-bit float
+    Depth24,      // and 8 bits of stencil, as windows have it
     DepthStencil, // 32-bit float, and 8 bits of stencil
-    Float1,  // 32-bit float each
+    Float1,       // 32-bit float each
     Float2,
-    Float4
+    Float4,
+    Byte1 // 8 bits for 0 to 1
   };
   enum class Sampling
   {
     Nearest,
+    Linear,         // of the four nearest; of several levels, of the two nearest levels
     CompareNearest, // depth <= stored depth, for sampler2DArrayShadow
     CompareLinear
   };
@@ -51,6 +53,8 @@ public:
   void UploadBuffer(vtkOpenGLRenderWindow* window, const std::vector<glm::vec4>& texels);
   /** Replace one layer by width x height x components floats, bottom row first. */
   void UploadLayer(vtkOpenGLRenderWindow* window, int layer, const float* values);
+  /** Make the further levels of all layers from the first one. */
+  void MakeLevels(vtkOpenGLRenderWindow* window);
 
   /** Bind to a texture unit of VTK's, until Deactivate. Both may be called twice. */
   void Activate(vtkOpenGLRenderWindow* window);

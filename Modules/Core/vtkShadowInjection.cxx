@@ -1,6 +1,7 @@
 #include "vtkShadowInjection.h"
 
 #include "vtkCamera.h"
+#include "vtkMatrix4x4.h"
 #include "vtkOpenGLState.h"
 #include "vtkProp.h"
 #include "vtkShaderProgram.h"
@@ -288,7 +289,10 @@ bool vtkShadowPass::SetShaderParameters(
   // Anything of the magnitude of a pixel at the focal point does.
   const double height =
     camera->GetParallelProjection() ? camera->GetParallelScale() : camera->GetDistance();
-  const bool mirrors = glm::determinant(glm::dmat3(my.Frame.VCToWC)) < 0.0;
+  // A mirror within the view turns VC along with the picture; one behind it, the picture alone.
+  vtkMatrix4x4* projection = camera->GetProjectionTransformMatrix(1.0, -1.0, 1.0);
+  const bool mirrors = projection->GetElement(0, 0) * projection->GetElement(1, 1) <
+                       projection->GetElement(0, 1) * projection->GetElement(1, 0);
   program->SetUniformf("shadowUnit", static_cast<float>((mirrors ? -500.0 : 500.0) / height));
   my.SetLights(program);
   int viewport[4];

@@ -64,6 +64,8 @@ struct vtkShadowTechnique
   std::vector<std::string> Limits;
   /** True where one sample of the light decides, so that the light's size does not matter. */
   bool Hard = false;
+  /** True where only planes receive, and visibility is 1 on all else. */
+  bool PlanarReceivers = false;
 
   static constexpr std::array<const char*, 6> ShapeNames = { "point", "sphere", "disk", "rectangle",
     "directional", "textured" };

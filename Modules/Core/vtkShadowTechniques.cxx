@@ -162,7 +162,8 @@ std::string vtkShadowTechniques::Describe(const std::string& name)
     return "";
   }
   nlohmann::ordered_json json = { { "name", technique->Name }, { "title", technique->Title },
-    { "paper", technique->Paper }, { "class", technique->ClassName }, { "hard", technique->Hard } };
+    { "paper", technique->Paper }, { "class", technique->ClassName }, { "hard", technique->Hard },
+    { "planarReceivers", technique->PlanarReceivers } };
   for (std::size_t i = 0; i < vtkShadowTechnique::ShapeNames.size(); ++i)
   {
     json["lightShapes"][vtkShadowTechnique::ShapeNames[i]] = ToString(technique->LightShapes[i]);

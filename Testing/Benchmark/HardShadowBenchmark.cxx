@@ -1,4 +1,5 @@
-// map-hard beside VTK's own vtkShadowMapPass: same scenes, light, map resolution and run.
+// map-hard beside VTK's own vtkShadowMapPass: same scenes, light, map resolution and run. And
+// planar-hard beside map-hard, where all that receives is a floor.
 //
 //   softshadowsHardBenchmark [size=700 [frames=21]]
 //
@@ -15,9 +16,12 @@
 #include "vtkShadowMapBakerPass.h"
 #include "vtkShadowMapPass.h"
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -48,28 +52,9 @@ double RMSE(const std::vector<unsigned char>& a, const std::vector<unsigned char
   return std::sqrt(sum / a.size());
 }
 
-void Run(const std::string& scene, int size, int frames)
+/** Frames for which the camera moves, and those for which the light does, in turns. */
+void Measure(const std::vector<Contestant*>& timed, int frames)
 {
-  Contestant none("no shadows", scene, size, nullptr);
-  const auto vtkPass = MakeVTKPass();
-  const auto ourPass = MakePass("map-hard", { { "resolution", std::to_string(Resolution) } });
-  const auto referencePass = MakePass("ray-traced", { { "samples", "1" } });
-  Contestant vtkOwn("vtkShadowMapPass", scene, size, vtkPass);
-  Contestant ours("map-hard", scene, size, ourPass);
-  Contestant reference("ray-traced", scene, size, referencePass);
-  for (Contestant* contestant : { &none, &vtkOwn, &ours, &reference })
-  {
-    contestant->UseSpot(40.0);
-  }
-  Contestant* const timed[] = { &none, &vtkOwn, &ours };
-
-  const auto truth = reference.Picture();
-  std::printf("%s, %d x %d, map %d\n", scene.c_str(), size, size, Resolution);
-  for (Contestant* contestant : timed)
-  {
-    std::printf("  %-18s picture RMSE against a ray-traced point light %.4f\n",
-      contestant->Name.c_str(), RMSE(contestant->Picture(), truth));
-  }
   for (int i = -3; i < frames; ++i)
   {
     for (Contestant* contestant : timed)
@@ -83,16 +68,63 @@ void Run(const std::string& scene, int size, int frames)
       }
     }
   }
-  const double base[] = { Median(none.Camera), Median(none.Moving) };
-  double added[3][2];
-  for (int i = 0; i < 3; ++i)
+}
+
+/** Print medians, and what all but the first add to it: while the camera moves, while the light does. */
+std::vector<std::array<double, 2>> Report(const std::vector<Contestant*>& timed)
+{
+  const double base[] = { Median(timed[0]->Camera), Median(timed[0]->Moving) };
+  std::vector<std::array<double, 2>> added;
+  for (const Contestant* contestant : timed)
   {
-    added[i][0] = Median(timed[i]->Camera) - base[0];
-    added[i][1] = Median(timed[i]->Moving) - base[1];
-    std::printf("  %-18s camera moves %6.1f ms, added %6.1f; light moves %6.1f ms, added %6.1f\n",
-      timed[i]->Name.c_str(), Median(timed[i]->Camera), added[i][0], Median(timed[i]->Moving),
-      added[i][1]);
+    added.push_back({ Median(contestant->Camera) - base[0], Median(contestant->Moving) - base[1] });
+    std::printf("  %-18s camera moves %6.1f ms, added %6.2f; light moves %6.1f ms, added %6.2f\n",
+      contestant->Name.c_str(), Median(contestant->Camera), added.back()[0],
+      Median(contestant->Moving), added.back()[1]);
   }
+  return added;
+}
+
+/** Scenes whose only receiver is a floor, but for what shadows itself. */
+[[maybe_unused]] void RunPlanar(const std::string& scene, int size, int frames)
+{
+  Contestant none("no shadows", scene, size, nullptr);
+  const auto mapPass = MakePass("map-hard", { { "resolution", std::to_string(Resolution) } });
+  const auto planarPass = MakePass("planar-hard", {});
+  Contestant map("map-hard", scene, size, mapPass);
+  Contestant planar("planar-hard", scene, size, planarPass);
+  std::printf("%s, %d x %d, map %d\n", scene.c_str(), size, size, Resolution);
+  Measure({ &none, &map, &planar }, frames);
+  const auto added = Report({ &none, &map, &planar });
+  std::printf(
+    "  planar-hard adds %.2f of map-hard's when the camera moves, %.2f when the light moves\n",
+    added[2][0] / added[1][0], added[2][1] / added[1][1]);
+}
+
+void Run(const std::string& scene, int size, int frames)
+{
+  Contestant none("no shadows", scene, size, nullptr);
+  const auto vtkPass = MakeVTKPass();
+  const auto ourPass = MakePass("map-hard", { { "resolution", std::to_string(Resolution) } });
+  const auto referencePass = MakePass("ray-traced", { { "samples", "1" } });
+  Contestant vtkOwn("vtkShadowMapPass", scene, size, vtkPass);
+  Contestant ours("map-hard", scene, size, ourPass);
+  Contestant reference("ray-traced", scene, size, referencePass);
+  for (Contestant* contestant : { &none, &vtkOwn, &ours, &reference })
+  {
+    contestant->UseSpot(40.0);
+  }
+  const std::vector<Contestant*> timed = { &none, &vtkOwn, &ours };
+
+  const auto truth = reference.Picture();
+  std::printf("%s, %d x %d, map %d\n", scene.c_str(), size, size, Resolution);
+  for (Contestant* contestant : timed)
+  {
+    std::printf("  %-18s picture RMSE against a ray-traced point light %.4f\n",
+      contestant->Name.c_str(), RMSE(contestant->Picture(), truth));
+  }
+  Measure(timed, frames);
+  const auto added = Report(timed);
   std::printf("  map-hard adds %.2f of VTK's when the camera moves, %.2f when the light moves\n",
     added[2][0] / added[1][0], added[2][1] / added[1][1]);
 }
@@ -111,5 +143,11 @@ int main(int argc, char* argv[])
   {
     Run(scene, size, frames);
   }
+#ifdef SOFTSHADOWS_PLANAR_SHADOWS
+  for (const char* scene : { "blocker", "bunny", "basic" })
+  {
+    RunPlanar(scene, size, frames);
+  }
+#endif
   return 0;
 }

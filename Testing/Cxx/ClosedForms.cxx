@@ -32,6 +32,8 @@ constexpr Accuracy Accuracies[] = {
   { "ray-traced", 1024, 0.003 },
   { "map-soft", 64, 0.03 },
   { "map-soft", 256, 0.015 },
+  { "planar-soft", 64, 0.03 },
+  { "planar-soft", 256, 0.015 },
   // Blockers that are parallel to the light have one depth each, so that one map tells all.
   { "map-pcss", 64, 0.02, false },
   { "map-combined", 64, 0.02, false },

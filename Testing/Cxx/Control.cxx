@@ -24,11 +24,12 @@ vtkActor* Stand(ShadowStage& stage)
 }
 
 /** V against the oracle's, for which these actors do not cast, at the pixels to be used. */
-void CheckAgainstOracle(ShadowStage& stage, const std::set<vtkActor*>& ignored,
-  const std::string& what, const std::vector<unsigned char>& use = {})
+void CheckAgainstOracle(const std::string& technique, ShadowStage& stage,
+  const std::set<vtkActor*>& ignored, const std::string& what,
+  const std::vector<unsigned char>& use = {})
 {
   auto* light = vtkLight::SafeDownCast(stage.Renderer->GetLights()->GetItemAsObject(0));
-  const Visibility truth = ShadowOracle(stage, ignored).GetHard(light);
+  const Visibility truth = ShadowOracle(stage, ignored).GetHard(light, technique);
   ShadowTest::CheckAtMost(Compare(stage.GetVisibility(light), truth, 0.5, use).Share, EdgeShare,
     what + ": pixels that differ");
 }
@@ -43,11 +44,11 @@ SHADOW_TEST(Control, CastingOfAProp, Each)
   stage.SetPass(technique, Fine);
   stage.Render();
   const Visibility with = stage.GetVisibility();
-  CheckAgainstOracle(stage, {}, "casting");
+  CheckAgainstOracle(technique, stage, {}, "casting");
   vtkShadowPass::SetCasting(box, false);
   ShadowTest::Check(!vtkShadowPass::GetCasting(box), "casting is not off");
   stage.Render();
-  CheckAgainstOracle(stage, { box }, "not casting");
+  CheckAgainstOracle(technique, stage, { box }, "not casting");
   ShadowTest::CheckAtLeast(
     Compare(stage.GetVisibility(), with, 0.5).Share, 0.02, "pixels that the box had shadowed");
   vtkShadowPass::SetCasting(box, true);
@@ -125,7 +126,7 @@ SHADOW_TEST(Control, InvisibleCaster, Each)
   huge->VisibilityOff();
   stage.Render();
   ShadowTest::Check(Same(stage.GetVisibility(), expected), "an invisible box changes V");
-  CheckAgainstOracle(stage, {}, "invisible box");
+  CheckAgainstOracle(technique, stage, {}, "invisible box");
 }
 
 //------------------------------------------------------------------------------
@@ -140,7 +141,7 @@ SHADOW_TEST(Control, HugeGround, Each)
   stage.LookAt({ 3.5, -6.5, 4.5 }, { 0.2, 0.2, 0.3 });
   stage.SetPass(technique, Fine);
   stage.Render();
-  CheckAgainstOracle(stage, {}, "ground of 2000");
+  CheckAgainstOracle(technique, stage, {}, "ground of 2000");
 }
 
 //------------------------------------------------------------------------------
@@ -162,7 +163,7 @@ SHADOW_TEST(Control, TranslucentCaster, Each)
   {
     pixel = !pixel;
   }
-  CheckAgainstOracle(stage, { box }, "translucent box", use);
+  CheckAgainstOracle(technique, stage, { box }, "translucent box", use);
   box->VisibilityOff();
   stage.Render();
   const Picture without = stage.GetPicture();
@@ -190,7 +191,7 @@ SHADOW_TEST(Control, WindowShapes, Each)
     // Edges take the larger a share, the fewer pixels there are.
     auto* light = vtkLight::SafeDownCast(stage.Renderer->GetLights()->GetItemAsObject(0));
     ShadowTest::CheckAtMost(
-      Compare(stage.GetVisibility(), ShadowOracle(stage).GetHard(light), 0.5).Share,
+      Compare(stage.GetVisibility(), ShadowOracle(stage).GetHard(light, technique), 0.5).Share,
       EdgeShare * 160.0 / size[1], what + ": pixels that differ");
   }
 }
@@ -236,7 +237,7 @@ SHADOW_TEST(Control, TwoViewports, Each)
     light->Modified();
     stage.Renderer->GetLights()->GetItemAsObject(0)->Modified();
     stage.Render();
-    CheckAgainstOracle(stage, {}, "right, frame " + std::to_string(frame));
+    CheckAgainstOracle(technique, stage, {}, "right, frame " + std::to_string(frame));
   }
   const Visibility visibility = stage.GetVisibility();
   ShadowTest::CheckEqual(visibility.Width, 132.0, "width of the right");
@@ -379,7 +380,7 @@ SHADOW_TEST(Control, RendererFeatures, Each)
       std::string(feature.first) + ", wrong");
     if (!translucent)
     {
-      CheckAgainstOracle(stage, {}, feature.first);
+      CheckAgainstOracle(technique, stage, {}, feature.first);
     }
   }
 }

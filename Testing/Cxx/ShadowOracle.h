@@ -24,8 +24,13 @@ public:
   const std::vector<SurfacePoint>& GetPixels() const { return this->Pixels; }
   /** Whether a caster lies between two points; the second may be infinitely far, as a direction. */
   bool IsBlocked(const glm::dvec3& from, const glm::dvec3& to, bool directional = false) const;
-  /** The visibility of a light's centre at each pixel. */
-  Visibility GetHard(vtkLight* light) const;
+  /**
+   * The visibility of a light's centre at each pixel. With a technique whose receivers are planes
+   * alone: what it promises, which is the truth on flat actors; all others see what they face.
+   */
+  Visibility GetHard(vtkLight* light, const std::string& technique = "") const;
+  /** 1 where a pixel shows a flat actor. */
+  std::vector<unsigned char> GetFlatMask() const;
   /** 1 where a pixel shows this actor. */
   std::vector<unsigned char> GetMask(vtkActor* actor) const;
   /**
@@ -45,11 +50,13 @@ private:
   {
     vtkActor* Actor;
     bool Casts;
+    bool Flat;
     glm::dvec3 Centre;
     double Radius;
     std::vector<Triangle> Triangles;
   };
 
+  const Body* GetBody(const SurfacePoint& pixel) const;
   template <typename Visit>
   void ForEachHit(const glm::dvec3& origin, const glm::dvec3& direction, Visit visit) const;
 

@@ -1,0 +1,9 @@
+// The filtered projection: sharp at contacts, wider with the casters' height, without bands.
+
+#include "ShadowRegression.h"
+
+//------------------------------------------------------------------------------
+int TestPlanarFakeShadow(int argc, char* argv[])
+{
+  return ShadowRegression::Test(argc, argv, "basic", "planar-fake");
+}

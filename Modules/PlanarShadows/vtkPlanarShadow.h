@@ -1,0 +1,59 @@
+// One plane's shadow from one light: what falls onto it, where, and by which projection.
+
+#ifndef vtkPlanarShadow_h
+#define vtkPlanarShadow_h
+
+#include "vtkShadowLight.h"                    // For samples
+#include "vtkShadowPlanes.h"                   // For the plane
+#include "vtkSoftShadowsPlanarShadowsModule.h" // For export macro
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <vector>
+
+class vtkShadowCasters;
+
+struct VTKSOFTSHADOWSPLANARSHADOWS_EXPORT vtkPlanarShadow
+{
+  vtkShadowLight Light;
+  vtkShadowPlane Plane;
+  double Side = 1.0; // 1: of light above the plane, where its normal points; -1: below
+  /** What of the light's emission is on this side, and where: points in WC, or directions. */
+  std::vector<vtkLightSample> Samples;
+  glm::dvec3 Weight{ 0.0 };
+  /** Those between light and plane whose shadow meets a receiver. None: there is no shadow. */
+  std::vector<int> Casters;
+  /** What of the plane is to be kept. */
+  vtkPlaneRectangle Window;
+  /** The most that a caster lifts a penumbra: see GetSpread(). */
+  double Spread = 0.0;
+
+  vtkPlanarShadow(const vtkShadowLight& light, const vtkShadowPlane& plane, double side);
+
+  /** Find casters and window. `around`: as far as penumbrae of all of the light's size reach. */
+  void Find(const vtkShadowCasters& casters, bool around);
+
+  /** (Normal, -Distance), turned to the light's side. */
+  glm::dvec4 GetEquation() const;
+  /** A light's sample, homogeneous; and its height above the plane, a cosine for directions. */
+  glm::dvec4 GetPlace(const vtkLightSample& sample) const;
+  double GetHeight(const glm::dvec4& place) const;
+  /** Equation 2.3 of the thesis, of column vectors, over the light's height: w is 1 on the plane. */
+  glm::dmat4 GetProjection(const glm::dvec4& place) const;
+  /** From WC to clip coordinates of the window, of what lies on the plane; z is 0. */
+  glm::dmat4 GetWindow() const;
+  /** The window's middle, in WC. */
+  glm::dvec3 GetMiddle() const;
+  /**
+   * How far the shadow of something at a height moves, as a share of what the light's point moves
+   * along the plane: h / (H - h); for directions h / H.
+   */
+  double GetSpread(const glm::dvec4& place, double height) const;
+
+  /** All that its image depends on but the casters' shapes. */
+  bool Same(const vtkPlanarShadow& other) const;
+};
+
+#endif

@@ -1,0 +1,119 @@
+// The light data of the planar techniques: an array texture with a layer for each light and plane
+// that casters between them darken.
+//
+//   hard  R8              viewport size: visibility at each pixel, drawn for each camera
+//   soft  R32F, RGBA32F   resolution^2 over a window of the plane: visibility, a colour if textured
+//         depth, stencil  resolution^2, once: which texels a sample of the light has darkened
+//   fake  RG32F, levels   resolution^2 over a window of the plane: coverage from the light's centre,
+//                         and 1 - s: s is the spread of the caster next to the plane, h / (H - h), as
+//                         a share of the largest
+//   records RGBA32F buffer, or uniforms if few: see vtkPlanarShadowFS.glsl
+//
+// Those along a plane do not depend on the camera, and are kept while light, plane, casters and
+// settings are unchanged.
+
+#ifndef vtkPlanarShadowMaps_h
+#define vtkPlanarShadowMaps_h
+
+#include "vtkPlanarShadow.h"                   // For shadows
+#include "vtkShadowGL.h"                       // For textures
+#include "vtkSoftShadowsPlanarShadowsModule.h" // For export macro
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkOpenGLState;
+class vtkShaderProgram;
+class vtkShadowPlanes;
+struct vtkShadowFrame;
+
+struct vtkPlanarShadowSettings
+{
+  enum class Kind
+  {
+    Hard,
+    Soft,
+    Fake
+  };
+  Kind Technique = Kind::Hard;
+  int Resolution = 1024; // of soft and fake
+  int Samples = 64;      // of soft
+  int Kernel = 7;        // taps a side of fake
+
+  bool operator==(const vtkPlanarShadowSettings& other) const;
+};
+
+class VTKSOFTSHADOWSPLANARSHADOWS_EXPORT vtkPlanarShadowMaps
+{
+public:
+  /**
+   * Bring the layers up to date; counted in the frame: "planarMapsDrawn", "planarMapsReused",
+   * "planarMapsOutOfView". False where they cannot be had.
+   */
+  bool Update(vtkShadowFrame& frame, const vtkShadowPlanes& planes, bool planesChanged,
+    const vtkPlanarShadowSettings& settings);
+
+  void Activate(vtkShadowFrame& frame);
+  void Deactivate(vtkShadowFrame& frame);
+  std::string GetGLSL() const;
+  void SetParameters(vtkShaderProgram* program);
+  /** The most look-ups of a pixel. */
+  double GetMaximumCost() const;
+
+  vtkShadowTexture& GetTexture() { return this->Maps; }
+  int GetNumberOfLayers() const { return this->Layers; }
+  std::vector<std::pair<std::string, std::size_t>> GetBytes() const;
+  void Release(vtkOpenGLRenderWindow* window);
+
+private:
+  using Kind = vtkPlanarShadowSettings::Kind;
+  /** What is kept of a light, a plane and a side of it. */
+  struct Entry
+  {
+    vtkPlanarShadow Shadow;
+    int Layer = -1;
+    bool Drawn = false; // the layer holds it
+    bool InView = true; // hard alone
+  };
+
+  bool IsStale(const vtkShadowFrame& frame) const;
+  void MakeEntries(vtkShadowFrame& frame, const vtkShadowPlanes& planes);
+  std::vector<vtkLightSample> GetSamples(const vtkShadowLight& light, const vtkShadowPlane& plane,
+    const vtkShadowCasters& casters) const;
+  bool Allocate(vtkShadowFrame& frame);
+  void UpdateCamera(vtkShadowFrame& frame);
+  void Draw(vtkShadowFrame& frame);
+  void DrawLayer(vtkShadowFrame& frame, const vtkPlanarShadow& shadow);
+  void DrawProjected(vtkShadowFrame& frame, const vtkPlanarShadow& shadow,
+    const vtkLightSample& sample, const glm::dmat4& WCToClip);
+  void UpdateRecords(vtkShadowFrame& frame);
+  void AddFakeVectors(const vtkPlanarShadow& shadow);
+  int GetRecordSize() const;
+
+  vtkPlanarShadowSettings Current;
+  // What the entries were made from.
+  std::vector<vtkShadowLight> Lights;
+  std::vector<vtkShadowPlane> Planes;
+  unsigned long CasterVersion = 0;
+  bool Color = false;
+  bool Made = false;
+
+  int Sides = 1;              // 2 where a light reaches through a plane
+  std::vector<Entry> Entries; // by light, plane, side
+  int Layers = 0;
+  glm::dmat4 WCToClip{ 0.0 }; // of the camera, for hard
+  glm::dmat4 VCToWC{ 0.0 };
+  std::vector<glm::vec4> Records;
+  bool Few = true;
+  vtkShadowTexture Maps;
+  vtkShadowTexture Stencil;
+  vtkShadowTexture RecordBuffer;
+  vtkShadowFramebuffer Framebuffer;
+};
+
+#endif
