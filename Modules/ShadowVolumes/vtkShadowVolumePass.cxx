@@ -56,11 +56,8 @@ void vtkShadowVolumePass::FillVisibility(vtkShadowFrame& frame, vtkVisibilityBuf
   vtkShaderProgram::Substitute(surface, "//SHADOW::Declarations", this->GetLightsGLSL());
   vtkOpenGLState* state = frame.Window->GetState();
   this->MostFaces = 0.0;
-  if (!this->Volumes->UpdateDepth(frame, buffer))
-  {
-    this->ErrorOnce("no memory for the depth of " + std::to_string(buffer.GetWidth()) + " x " +
-                    std::to_string(buffer.GetHeight()) + " pixels; drawn without shadows.");
-  }
+  const bool counts = this->Volumes->UpdateDepth(frame, buffer);
+  bool whole = true;
   for (int i = 0; i < static_cast<int>(frame.Lights.size()); ++i)
   {
     {
@@ -68,11 +65,17 @@ void vtkShadowVolumePass::FillVisibility(vtkShadowFrame& frame, vtkVisibilityBuf
         frame.Window, buffer.GetFramebuffer(), &buffer.GetTarget(), nullptr, i);
       glClearBufferfv(GL_COLOR, 0, cost ? none : start);
     }
-    const int samples = static_cast<int>(this->Volumes->GetSamples(i).size());
+    const int samples = counts ? static_cast<int>(this->Volumes->GetSamples(i).size()) : 0;
     for (int sample = 0; sample < samples; ++sample)
     {
-      cost ? this->Volumes->AddFaces(frame, buffer, i, sample)
-           : this->Volumes->Subtract(frame, buffer, i, sample);
+      if (cost)
+      {
+        this->Volumes->AddFaces(frame, buffer, i, sample);
+      }
+      else
+      {
+        whole = this->Volumes->Subtract(frame, buffer, i, sample) && whole;
+      }
     }
     if (cost)
     {
@@ -94,6 +97,17 @@ void vtkShadowVolumePass::FillVisibility(vtkShadowFrame& frame, vtkVisibilityBuf
         this->SetLightParameters(program);
       });
     buffer.GetReceivers().Deactivate(frame.Window);
+  }
+  const std::string size =
+    std::to_string(buffer.GetWidth()) + " x " + std::to_string(buffer.GetHeight()) + " pixels";
+  if (!counts)
+  {
+    this->ErrorOnce("no memory for the depth of " + size + "; drawn without shadows.");
+  }
+  else if (!whole)
+  {
+    this->ErrorOnce("no memory for wide counts of " + size +
+                    "; where a multiple of 256 volumes nest, they are drawn as light.");
   }
 }
 

@@ -74,9 +74,10 @@ public:
   bool UpdateDepth(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer);
   /**
    * Count the volumes of a light's place over the receivers' depth, and take the place's weight away
-   * where the count is not zero, in a layer of the buffer's target.
+   * where the count is not zero, in a layer of the buffer's target. False where wide counts were
+   * wanted and there was no memory for them: multiples of 256 are then light.
    */
-  void Subtract(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int light, int sample);
+  bool Subtract(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int light, int sample);
   /** Add one where a face of a volume is drawn, in a layer of the buffer's target. */
   void AddFaces(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int light, int sample);
   /** Draw a place's volumes over the picture: front faces blue, back faces orange, silhouettes. */

@@ -224,20 +224,21 @@ bool vtkShadowVolumes::UpdateDepth(vtkShadowFrame& frame, vtkVisibilityBuffer& b
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowVolumes::Subtract(
+bool vtkShadowVolumes::Subtract(
   vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int light, int sample)
 {
   const glm::dvec4& place = this->Lights[light].Places[sample];
-  const Selection selection = this->Select(frame, light, sample);
+  Selection selection = this->Select(frame, light, sample);
   if (selection.ZPass.empty() && selection.ZFail.empty())
   {
-    return;
+    return true;
   }
   vtkOpenGLState* state = frame.Window->GetState();
+  const bool wide = selection.Wide;
+  selection.Wide = wide && this->Counts.Allocate(frame.Window, vtkShadowTexture::Format::Float1,
+                             buffer.GetWidth(), buffer.GetHeight(), 1);
   if (selection.Wide)
   {
-    this->Counts.Allocate(
-      frame.Window, vtkShadowTexture::Format::Float1, buffer.GetWidth(), buffer.GetHeight(), 1);
     vtkShadowFramebuffer::Scope target(
       frame.Window, buffer.GetFramebuffer(), &this->Counts, &this->Depth, 0);
     CountingState counting(state, true);
@@ -301,6 +302,7 @@ void vtkShadowVolumes::Subtract(
     });
   this->Counts.Deactivate(frame.Window);
   glStencilFunc(GL_ALWAYS, 0, 0xFF);
+  return wide == selection.Wide;
 }
 
 //------------------------------------------------------------------------------
