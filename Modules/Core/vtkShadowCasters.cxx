@@ -168,7 +168,7 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer)
       }
     }
     const double* b = actor->GetMapper() ? actor->GetMapper()->GetBounds() : nullptr;
-    if (placed.size() == before && b && b[0] <= b[1])
+    if (placed.size() == before && vtkShadowPass::GetReceiving(root) && b && b[0] <= b[1])
     {
       receivers.push_back(BoxCorners({ b[0], b[2], b[4] }, { b[1], b[3], b[5] }));
       for (auto& corner : receivers.back())

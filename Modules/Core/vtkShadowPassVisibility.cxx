@@ -240,7 +240,9 @@ vtkImageData* vtkShadowPass::GetVisibilityOfLayer(int layer)
     mask->SetValue(i, receivers[i].w != 0.0f);
     for (int c = 0; c < components; ++c)
     {
-      visibility->SetComponent(i, c, shadowed ? values[i * stored + c] : 1.0f);
+      // Sums of weights come to 1 but for rounding.
+      visibility->SetComponent(
+        i, c, shadowed ? std::clamp(values[i * stored + c], 0.0f, 1.0f) : 1.0f);
     }
   }
   my.VisibilityImage->Initialize();

@@ -1,8 +1,5 @@
 #include "vtkPlanarShadowMaps.h"
 
-#include "vtkMatrix3x3.h"
-#include "vtkMatrix4x4.h"
-#include "vtkOpenGLCamera.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPlanarCasterFS.h"
@@ -213,11 +210,7 @@ bool vtkPlanarShadowMaps::Allocate(vtkShadowFrame& frame)
 void vtkPlanarShadowMaps::UpdateCamera(vtkShadowFrame& frame)
 {
   // What mappers draw with. Nothing is cut at the near and far plane, as z is 0 and w positive.
-  auto* camera = vtkOpenGLCamera::SafeDownCast(frame.Renderer->GetActiveCamera());
-  vtkMatrix4x4 *toVC, *toDC, *both;
-  vtkMatrix3x3* normals;
-  camera->GetKeyMatrices(frame.Renderer, toVC, normals, toDC, both);
-  glm::dmat4 rows = glm::transpose(glm::make_mat4(toDC->GetData()) * frame.GetWCToVC());
+  glm::dmat4 rows = glm::transpose(frame.VCToClip * frame.GetWCToVC());
   rows[2] = glm::dvec4(0.0);
   const glm::dmat4 WCToClip = glm::transpose(rows);
   const bool moved = WCToClip != this->WCToClip;
@@ -428,7 +421,9 @@ void vtkPlanarShadowMaps::UpdateRecords(vtkShadowFrame& frame)
   this->Records.clear();
   for (const auto& plane : this->Planes)
   {
-    this->Records.emplace_back(plane.GetEquation() * frame.VCToWC);
+    // Of unit normal, whatever the view's transform scales by.
+    const glm::dvec4 equation = plane.GetEquation() * frame.VCToWC;
+    this->Records.emplace_back(equation / glm::length(glm::dvec3(equation)));
   }
   for (const auto& entry : this->Entries)
   {

@@ -250,7 +250,10 @@ bool vtkShadowPlanes::Update(const vtkShadowCasters& casters, int limit)
     };
     for (const auto& caster : casters.Get())
     {
-      touch(caster.Corners);
+      if (!caster.Mesh->Indices.empty())
+      {
+        touch(caster.Corners);
+      }
     }
     for (const auto& box : casters.GetReceivers())
     {

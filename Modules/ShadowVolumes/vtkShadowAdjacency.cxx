@@ -118,6 +118,11 @@ struct Structure
         corners[i] = handles[key[i]];
       }
       std::sort(key.begin(), key.end());
+      if (key[0] == key[1] || key[1] == key[2])
+      {
+        result.Flags[t] |= vtkShadowAdjacency::Left; // of no area once its corners are floats
+        continue;
+      }
       if (!known.insert(key).second)
       {
         result.Flags[t] |= vtkShadowAdjacency::Left;
@@ -186,6 +191,7 @@ void FindEdges(const Structure& structure, vtkShadowAdjacency& result)
   // their neighbours again, or else the two that already share that edge.
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<vtkShadowAdjacency::IrregularFace>>
     free;
+  result.Edges.reserve(mesh.n_edges());
   for (const bool shared : { false, true })
   {
     for (const auto edge : mesh.edges())
@@ -217,7 +223,6 @@ void FindEdges(const Structure& structure, vtkShadowAdjacency& result)
       }
     }
   }
-  result.Edges.reserve(mesh.n_edges());
   for (const auto& entry : free)
   {
     const auto& faces = entry.second;
@@ -277,7 +282,8 @@ void FindBodies(const vtkShadowMesh& mesh, vtkShadowAdjacency& result)
     const glm::dvec3 a = corner(t, 0);
     glm::dvec3 normal = glm::cross(corner(t, 1) - a, corner(t, 2) - a);
     // Scaled, or a small unit's squares would underflow.
-    normal /= std::max({ std::abs(normal.x), std::abs(normal.y), std::abs(normal.z) });
+    const double size = std::max({ std::abs(normal.x), std::abs(normal.y), std::abs(normal.z) });
+    normal /= size > 0.0 ? size : 1.0;
     normal = result.Flags[t] & vtkShadowAdjacency::Reversed ? -normal : normal;
     result.Planes.emplace_back(normal, glm::dot(glm::dvec3(glm::vec3(normal)), a));
   }

@@ -50,7 +50,7 @@ struct VTKSOFTSHADOWSSHADOWVOLUMES_EXPORT vtkShadowAdjacency
   {
     Closed = 1,   // part of a body without irregular edges, wound outwards
     Reversed = 2, // wound the other way than in the mesh
-    Left = 4      // left out: another face has the same corners
+    Left = 4      // left out: another face has the same corners, or two of its own are one
   };
 
   std::vector<Edge> Edges;

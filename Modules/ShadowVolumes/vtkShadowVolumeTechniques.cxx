@@ -29,13 +29,20 @@ vtkShadowTechniqueAutoInit(VTKSOFTSHADOWSSHADOWVOLUMES_EXPORT, vtkSoftShadowsSha
       "on the CPU: adjacency, about 41 bytes a triangle of a closed mesh, once a mesh",
       "silhouettes, 8 bytes an edge and sample (16 of open meshes)",
       "where volumes are counted by z-fail: caps, 12 bytes a triangle",
-      "receivers 16 bytes, depth and stencil 4 bytes, visibility 4 bytes a light (16 textured), "
-      "each "
-      "a pixel; 4 bytes more where more than 255 volumes may nest"
+      "receivers 16 bytes, their depth 4 bytes, that of volumes with the stencil 8 bytes, "
+      "visibility 4 "
+      "bytes a light (16 textured), each a pixel; 4 bytes more where more than 255 volumes may nest"
     };
     t.Limits = { "The cost is that of filling the volumes: it grows with silhouettes, pixels and "
                  "samples.",
-      "counting=xor is wrong where volumes overlap, and as z-pass where the eye is in a volume.",
+      "counting=z-pass is wrong where the eye is in a volume, or looks into a caster whose faces "
+      "are "
+      "culled or clipped.",
+      "counting=xor is wrong there too, where volumes overlap, and where two surfaces of an open "
+      "mesh "
+      "lie behind each other.",
+      "Single pixels at silhouettes that light and eye share can be darker or lighter than the "
+      "truth.",
       "Translucent surfaces receive no shadow." };
     return t;
   }

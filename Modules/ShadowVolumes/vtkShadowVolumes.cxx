@@ -1,13 +1,11 @@
 #include "vtkShadowVolumes.h"
 
 #include "vtkActor.h"
-#include "vtkCamera.h"
 #include "vtkLightFrusta.h"
 #include "vtkMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPlaneCollection.h"
 #include "vtkProperty.h"
-#include "vtkRenderer.h"
 #include "vtkShadowFrame.h"
 #include "vtk_glew.h"
 
@@ -18,6 +16,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -55,7 +54,15 @@ void vtkShadowVolumes::Update(vtkShadowFrame& frame, const vtkShadowVolumeSettin
     frame.Counts[name] = 0;
   }
 
+  // What stays counts first.
   std::size_t bytes = 0;
+  for (std::size_t i = 0; !all && i < this->Lights.size(); ++i)
+  {
+    for (const auto& batch : this->Lights[i].Batches)
+    {
+      bytes += batch->Bytes;
+    }
+  }
   for (std::size_t i = 0; i < this->Lights.size(); ++i)
   {
     LightState& state = this->Lights[i];
@@ -82,9 +89,10 @@ void vtkShadowVolumes::Update(vtkShadowFrame& frame, const vtkShadowVolumeSettin
         for (auto& batch : state.Batches)
         {
           batch->Lines->ReleaseGraphicsResources();
+          bytes -= all ? 0 : batch->Bytes;
         }
         state.Batches.clear();
-        this->CapLight = this->PassingLight = -1;
+        this->CapLight = this->UnkeptLight = -1;
         frame.Counts["adjacenciesBuilt"] += this->Adjacencies.Add(*frame.Casters, casters);
         const int batches =
           (static_cast<int>(state.Samples.size()) + vtkShadowSilhouettes::MostPlaces - 1) /
@@ -94,6 +102,11 @@ void vtkShadowVolumes::Update(vtkShadowFrame& frame, const vtkShadowVolumeSettin
           auto batch = std::make_unique<Batch>();
           this->FindSilhouettes(frame, state, k, *batch);
           bytes += batch->Bytes;
+          if (bytes > settings.MemoryLimit)
+          {
+            batch->Lines->ReleaseGraphicsResources();
+            break;
+          }
           state.Batches.push_back(std::move(batch));
         }
         continue;
@@ -102,7 +115,6 @@ void vtkShadowVolumes::Update(vtkShadowFrame& frame, const vtkShadowVolumeSettin
     for (const auto& batch : state.Batches)
     {
       frame.Counts["silhouettesReused"] += static_cast<double>(batch->Silhouettes.Get().size());
-      bytes += batch->Bytes;
     }
   }
   this->Adjacencies.Prune(*frame.Casters);
@@ -122,10 +134,18 @@ void vtkShadowVolumes::Update(vtkShadowFrame& frame, const vtkShadowVolumeSettin
   this->Mirrored = glm::determinant(this->WCToClip) > 0.0;
   this->Parallel = glm::dvec3(glm::row(frame.VCToClip, 3)) == glm::dvec3(0.0);
   // Depth falls from 1 at the near plane: near / distance, or evenly to the far plane.
-  const double* range = frame.Renderer->GetActiveCamera()->GetClippingRange();
+  // near the projection's own, which need not be the camera's clipping range.
+  const glm::dmat4 clipToVC = glm::inverse(frame.VCToClip);
+  double nearest = std::numeric_limits<double>::max();
+  for (const glm::dvec2& corner :
+    { glm::dvec2(-1.0, -1.0), glm::dvec2(1.0, -1.0), glm::dvec2(1.0, 1.0), glm::dvec2(-1.0, 1.0) })
+  {
+    // Of a point that is homogeneous, w at its place is 1 / w of the inverse.
+    nearest = std::min(nearest, 1.0 / (clipToVC * glm::dvec4(corner, -1.0, 1.0)).w);
+  }
   this->DepthRow = this->Parallel
                      ? 0.5 * (glm::row(frame.VCToClip, 3) - glm::row(frame.VCToClip, 2))
-                     : glm::dvec4(0.0, 0.0, 0.0, range[0]);
+                     : glm::dvec4(0.0, 0.0, 0.0, nearest);
   this->WRow = glm::row(frame.VCToClip, 3);
   this->ClipControl = GLEW_ARB_clip_control || GLEW_VERSION_4_5;
   glm::dmat4 VCToDraw = glm::row(
@@ -184,13 +204,13 @@ const vtkShadowVolumes::Batch& vtkShadowVolumes::GetBatch(
   {
     return *state.Batches[index];
   }
-  if (this->PassingLight != light || this->PassingBatch != index)
+  if (this->UnkeptLight != light || this->UnkeptBatch != index)
   {
-    this->FindSilhouettes(frame, state, index, this->Passing);
-    this->PassingLight = light;
-    this->PassingBatch = index;
+    this->FindSilhouettes(frame, state, index, this->Unkept);
+    this->UnkeptLight = light;
+    this->UnkeptBatch = index;
   }
-  return this->Passing;
+  return this->Unkept;
 }
 
 //------------------------------------------------------------------------------
@@ -343,7 +363,7 @@ void vtkShadowVolumes::UpdateCaps(
 //------------------------------------------------------------------------------
 std::vector<std::pair<std::string, std::size_t>> vtkShadowVolumes::GetBytes() const
 {
-  std::size_t lines = this->Passing.Bytes;
+  std::size_t lines = this->Unkept.Bytes;
   for (const auto& light : this->Lights)
   {
     for (const auto& batch : light.Batches)
@@ -366,9 +386,9 @@ void vtkShadowVolumes::Release(vtkOpenGLRenderWindow* window)
     }
   }
   this->Lights.clear();
-  this->Passing.Lines->ReleaseGraphicsResources();
-  this->Passing.Bytes = 0;
-  this->PassingLight = this->CapLight = -1;
+  this->Unkept.Lines->ReleaseGraphicsResources();
+  this->Unkept.Bytes = 0;
+  this->UnkeptLight = this->CapLight = -1;
   this->Caps->ReleaseGraphicsResources();
   this->CapBytes = 0;
   this->Depth.Release(window);

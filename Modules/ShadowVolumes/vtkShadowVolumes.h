@@ -2,7 +2,8 @@
 // unchanged, and their counting over the receivers' depth.
 //
 //   lines    index buffer  8 bytes a silhouette edge and place: pairs of the casters' vertices
-//   caps     index buffer  12 bytes a triangle, where volumes are counted by z-fail
+//   caps     index buffer  12 bytes a triangle, where volumes are counted by z-fail: of one sample,
+//                          made anew for the next
 //   depth    DEPTH32F_STENCIL8  viewport size; the receivers' depth and the count, which wraps
 //   counts   R32F          viewport size; instead of the stencil where more than 255 volumes may nest
 //
@@ -152,9 +153,9 @@ private:
   bool Parallel = false;
   bool Mirrored = false;
 
-  Batch Passing; // one that is not kept
-  int PassingLight = -1;
-  int PassingBatch = -1;
+  Batch Unkept; // one that is not kept
+  int UnkeptLight = -1;
+  int UnkeptBatch = -1;
   vtkNew<vtkOpenGLBufferObject> Caps;
   std::size_t CapBytes = 0;
   int CapLight = -1; // whose caps the buffer holds

@@ -76,16 +76,21 @@ void vtkShadowVolumes::SetExtrusion(vtkShaderProgram* program, const vtkShadowCa
   {
     // Far enough to leave the picture: by scaling the caster about the light until it is further
     // away than all that is seen, or by moving it as far along the direction.
+    double radius = 0.0; // of the box, which holds whatever the matrix shears
+    const glm::dvec3 middle = 0.5 * (caster.Corners[0] + caster.Corners[7]);
+    for (const auto& corner : caster.Corners)
+    {
+      radius = std::max(radius, glm::length(corner - middle));
+    }
     double reach = 0.0;
-    const glm::dvec3 from = positional ? glm::dvec3(place) : caster.GetMiddle();
+    const glm::dvec3 from = positional ? glm::dvec3(place) : middle;
     for (const auto& corner : this->FrustumCorners)
     {
       reach = std::max(reach, glm::length(corner - from));
     }
-    const double radius = caster.GetRadius();
     if (positional)
     {
-      const double gap = glm::length(caster.GetMiddle() - from) - radius;
+      const double gap = glm::length(middle - from) - radius;
       light *= 1.0 - std::min(1.0, std::max(0.9 * gap / reach, 1e-6));
     }
     else
@@ -262,22 +267,22 @@ bool vtkShadowVolumes::Subtract(
   if (!selection.Wide)
   {
     const GLint zero = 0;
-    glStencilMask(0xFF);
+    state->vtkglStencilMask(0xFF);
     glClearBufferiv(GL_STENCIL, 0, &zero);
     state->vtkglEnable(GL_STENCIL_TEST);
-    glStencilFunc(GL_ALWAYS, 0, 0xFF);
+    state->vtkglStencilFunc(GL_ALWAYS, 0, 0xFF);
     this->DrawVolumes(frame, place, selection, nullptr,
-      [this](bool passing) -> std::function<void(vtkShaderProgram*)>
+      [this, state](bool passing) -> std::function<void(vtkShaderProgram*)>
       {
         const bool parity = this->Current.Method == vtkShadowVolumeSettings::Counting::Xor;
         const GLenum enter = parity ? GL_INVERT : (passing ? GL_INCR_WRAP : GL_DECR_WRAP);
         const GLenum leave = parity ? GL_INVERT : (passing ? GL_DECR_WRAP : GL_INCR_WRAP);
-        glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, enter);
-        glStencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, leave);
+        state->vtkglStencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, enter);
+        state->vtkglStencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, leave);
         return {};
       });
-    glStencilFunc(GL_NOTEQUAL, 0, 0xFF);
-    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    state->vtkglStencilFunc(GL_NOTEQUAL, 0, 0xFF);
+    state->vtkglStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
   }
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglDisable(GL_DEPTH_TEST);
@@ -301,7 +306,7 @@ bool vtkShadowVolumes::Subtract(
       }
     });
   this->Counts.Deactivate(frame.Window);
-  glStencilFunc(GL_ALWAYS, 0, 0xFF);
+  state->vtkglStencilFunc(GL_ALWAYS, 0, 0xFF);
   return wide == selection.Wide;
 }
 

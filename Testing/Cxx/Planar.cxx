@@ -579,3 +579,32 @@ SHADOW_TEST(Planar, ManyLightsAndPlanes, Each)
   }
   ShadowTest::CheckEqual(stage.Count("planes"), 8.0, "planes");
 }
+
+//------------------------------------------------------------------------------
+// A light without size beside one that has a size: the shader that filters serves both.
+SHADOW_TEST(Planar, PointBesideAreaLight, Each)
+{
+  if (!ShadowStage::Describe(technique).PlanarReceivers)
+  {
+    return;
+  }
+  const auto look = [&](bool both)
+  {
+    ShadowStage stage;
+    stage.AddFloor();
+    stage.AddBox({ 0.0, 0.0, 0.6 }, { 1.0, 1.0, 1.2 });
+    vtkAreaLight* point = stage.AddLight(LightKind::Point, { -2.5, -2.0, 5.5 }, { 0, 0, 0 });
+    if (both)
+    {
+      stage.AddLight(LightKind::Disk, { 2.5, -2.0, 5.5 }, { 0, 0, 0 });
+    }
+    stage.LookAt({ 3.0, -7.0, 4.0 }, { 0.0, 0.0, 0.3 });
+    stage.SetPass(technique);
+    stage.Render();
+    return stage.GetVisibility(point);
+  };
+  const Visibility alone = look(false);
+  ShadowTest::CheckEqual(GetRange(alone).first, 0.0, "lowest V of the point light alone");
+  ShadowTest::CheckAtMost(
+    Compare(look(true), alone).Share, 0.001, "pixels other than those of the point light alone");
+}

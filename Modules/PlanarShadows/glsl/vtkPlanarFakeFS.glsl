@@ -100,7 +100,14 @@ SHADOW_VISIBILITY shadowLookUp(int record, float layer, vec3 positionVC)
     vec2 u, v;
     shadowGetAxes(record, place, u, v);
     vec4 form = SHADOW_RECORD(record + 4);
-    coverage = shadowFilter(layer, place, u, v, form.z, form.w > 0.5);
+    if (form.z > 0.0)
+    {
+      coverage = shadowFilter(layer, place, u, v, form.z, form.w > 0.5);
+    }
+    else // a light without size beside others
+    {
+      coverage = textureLod(shadowPlanarMaps, vec3(place, layer), 0.0).r;
+    }
 #endif
   }
   return SHADOW_VISIBILITY(1.0 - coverage);
