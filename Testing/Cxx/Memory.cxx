@@ -135,7 +135,8 @@ SHADOW_TEST(Memory, ChangingFramesDoNotGrow, Each)
   int objects = 0;
   for (int i = 0; i < 12; ++i)
   {
-    light->SetPosition(-2.5 + 0.1 * (i % 9), -2.0, 5.5); // back to where it was: lights cost as they stand
+    light->SetPosition(
+      -2.5 + 0.1 * (i % 9), -2.0, 5.5); // back to where it was: lights cost as they stand
     box->SetPosition(0.1 * (i % 3), 0.0, 0.0);
     stage.Window->SetSize(160 - 8 * (i % 3), 160);
     stage.Render();

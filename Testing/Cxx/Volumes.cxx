@@ -7,6 +7,7 @@
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkLightCollection.h"
+#include "vtkMatrix4x4.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -235,6 +236,24 @@ SHADOW_TEST(Volumes, NearPlaneCutsCaster, Once)
   ShadowTest::CheckAtLeast(static_cast<double>(dark), 1000.0, "pixels in shadow");
   ShadowTest::CheckAtMost(
     static_cast<double>(wrong), 0.0033 * inner.size(), "pixels other than the truth");
+}
+
+//------------------------------------------------------------------------------
+// A projection matrix of the user's own, whose near plane is not the camera's clipping range.
+SHADOW_TEST(Volumes, ExplicitProjection, Once)
+{
+  ShadowStage stage(160, 160);
+  stage.AddThings();
+  AddPointLight(stage);
+  vtkCamera* camera = stage.Renderer->GetActiveCamera();
+  const double distance = camera->GetDistance();
+  camera->SetClippingRange(0.02 * distance, 5.0 * distance);
+  vtkNew<vtkMatrix4x4> projection;
+  projection->DeepCopy(camera->GetProjectionTransformMatrix(1.0, -1.0, 1.0));
+  camera->SetExplicitProjectionTransformMatrix(projection);
+  camera->UseExplicitProjectionTransformMatrixOn();
+  camera->SetClippingRange(0.9 * distance, 5.0 * distance);
+  CheckAllCounts(stage, "near plane before the clipping range");
 }
 
 //------------------------------------------------------------------------------
