@@ -58,3 +58,16 @@ function (softshadows_warnings target)
     $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>
     $<$<CXX_COMPILER_ID:GNU,Clang>:-Wall -Wextra -Wno-unused-parameter>)
 endfunction ()
+
+# GLSL files of a module's glsl/, by name, as strings: adds to its lists sources and private_headers.
+macro (softshadows_encode_shaders)
+  foreach (shader IN ITEMS ${ARGN})
+    vtk_encode_string(
+      INPUT "glsl/${shader}.glsl"
+      NAME "${shader}"
+      HEADER_OUTPUT header
+      SOURCE_OUTPUT source)
+    list(APPEND sources "${source}")
+    list(APPEND private_headers "${header}")
+  endforeach ()
+endmacro ()

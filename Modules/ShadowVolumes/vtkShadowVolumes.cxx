@@ -133,24 +133,6 @@ void vtkShadowVolumes::Update(vtkShadowFrame& frame, const vtkShadowVolumeSettin
   // A camera that mirrors turns all faces around; the usual projection has a negative determinant.
   this->Mirrored = glm::determinant(this->WCToClip) > 0.0;
   this->Parallel = glm::dvec3(glm::row(frame.VCToClip, 3)) == glm::dvec3(0.0);
-  // Depth falls from 1 at the near plane: near / distance, or evenly to the far plane.
-  // near the projection's own, which need not be the camera's clipping range.
-  const glm::dmat4 clipToVC = glm::inverse(frame.VCToClip);
-  double nearest = std::numeric_limits<double>::max();
-  for (const glm::dvec2& corner :
-    { glm::dvec2(-1.0, -1.0), glm::dvec2(1.0, -1.0), glm::dvec2(1.0, 1.0), glm::dvec2(-1.0, 1.0) })
-  {
-    // Of a point that is homogeneous, w at its place is 1 / w of the inverse.
-    nearest = std::min(nearest, 1.0 / (clipToVC * glm::dvec4(corner, -1.0, 1.0)).w);
-  }
-  this->DepthRow = this->Parallel
-                     ? 0.5 * (glm::row(frame.VCToClip, 3) - glm::row(frame.VCToClip, 2))
-                     : glm::dvec4(0.0, 0.0, 0.0, nearest);
-  this->WRow = glm::row(frame.VCToClip, 3);
-  this->ClipControl = GLEW_ARB_clip_control || GLEW_VERSION_4_5;
-  glm::dmat4 VCToDraw = glm::row(
-    frame.VCToClip, 2, this->ClipControl ? this->DepthRow : 2.0 * this->DepthRow - this->WRow);
-  this->WCToDraw = VCToDraw * frame.GetWCToVC();
   this->FrustumPlanes.clear();
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -171,6 +153,21 @@ void vtkShadowVolumes::Update(vtkShadowFrame& frame, const vtkShadowVolumeSettin
       this->FrustumCorners.push_back(glm::dvec3(p) / p.w);
     }
   }
+  // Depth falls from 1 at the near plane: near / distance, or evenly to the far plane. The near plane
+  // is the projection's, which need not be that of the camera's clipping range.
+  this->WRow = glm::row(frame.VCToClip, 3);
+  double nearest = std::numeric_limits<double>::max();
+  for (int i = 0; i < 4; ++i)
+  {
+    const glm::dvec4 corner(this->FrustumCorners[i], 1.0);
+    nearest = std::min(nearest, glm::dot(glm::row(this->WCToClip, 3), corner));
+  }
+  this->DepthRow = this->Parallel ? 0.5 * (this->WRow - glm::row(frame.VCToClip, 2))
+                                  : glm::dvec4(0.0, 0.0, 0.0, nearest);
+  this->ClipControl = GLEW_ARB_clip_control || GLEW_VERSION_4_5;
+  const glm::dmat4 VCToDraw = glm::row(
+    frame.VCToClip, 2, this->ClipControl ? this->DepthRow : 2.0 * this->DepthRow - this->WRow);
+  this->WCToDraw = VCToDraw * frame.GetWCToVC();
 }
 
 //------------------------------------------------------------------------------
