@@ -11,7 +11,8 @@ set(softshadows_vtk_components
   CommonExecutionModel CommonMath CommonSystem CommonTransforms FiltersCore FiltersFlowPaths
   FiltersGeneral FiltersGeometry FiltersModeling FiltersSources ImagingCore ImagingHybrid
   InteractionStyle IOGeometry IOImage IOImport IOLegacy IOPLY IOXML RenderingAnnotation
-  RenderingCore RenderingFreeType RenderingOpenGL2 TestingCore TestingRendering glew opengl)
+  RenderingCore RenderingFreeType RenderingLOD RenderingOpenGL2
+  RenderingVolume RenderingVolumeOpenGL2 TestingCore TestingRendering glew opengl)
 if (SOFTSHADOWS_WRAP_PYTHON)
   list(APPEND softshadows_vtk_components Python WrappingPythonCore WrapPython)
 endif ()

@@ -32,10 +32,11 @@ vtkIdType CountTriangles(vtkRenderer* renderer)
   props->InitTraversal(iterator);
   while (vtkProp* prop = props->GetNextProp(iterator))
   {
-    vtkShadowPass::ForEachActor(prop,
-      [&count](vtkActor* actor, vtkMatrix4x4*)
+    vtkShadowPass::ForEachPart(prop,
+      [&count](vtkProp* part, vtkMatrix4x4*)
       {
-        vtkMapper* mapper = actor->GetMapper();
+        auto* actor = vtkActor::SafeDownCast(part);
+        vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
         if (mapper)
         {
           mapper->Update();

@@ -1,11 +1,6 @@
 #include "vtkShadowCasters.h"
 
 #include "vtkActor.h"
-#include "vtkAlgorithm.h"
-#include "vtkAssemblyNode.h"
-#include "vtkAssemblyPath.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLBufferObject.h"
@@ -14,12 +9,12 @@
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkPolyData.h"
 #include "vtkPropCollection.h"
-#include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkShadowCasterFS.h"
 #include "vtkShadowCasterVS.h"
 #include "vtkShadowPass.h"
+#include "vtkShadowSurfaces.h"
 #include "vtk_glew.h"
 
 #include <glm/geometric.hpp>
@@ -42,47 +37,6 @@ std::array<glm::dvec3, 8> BoxCorners(const glm::dvec3& low, const glm::dvec3& hi
     corners[i] = { i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z };
   }
   return corners;
-}
-
-/** Mappers whose drawn surface is not the polygons of their input. */
-bool MakesItsOwnGeometry(vtkMapper* mapper)
-{
-  return mapper->IsA("vtkPointGaussianMapper") || mapper->IsA("vtkOpenGLSphereMapper") ||
-         mapper->IsA("vtkOpenGLStickMapper");
-}
-
-bool Casts(vtkActor* actor)
-{
-  vtkMapper* mapper = actor->GetMapper();
-  return mapper &&
-         (mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkCompositePolyDataMapper")) &&
-         !MakesItsOwnGeometry(mapper) && mapper->GetNumberOfInputConnections(0) > 0 &&
-         actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
-         !actor->HasTranslucentPolygonalGeometry();
-}
-
-/** The polygon data sets that a mapper draws, brought up to date. */
-std::vector<vtkPolyData*> GetInputs(vtkMapper* mapper)
-{
-  mapper->GetInputAlgorithm()->Update();
-  vtkDataObject* input = mapper->GetInputDataObject(0, 0);
-  if (auto* polygons = vtkPolyData::SafeDownCast(input))
-  {
-    return { polygons };
-  }
-  std::vector<vtkPolyData*> result;
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
-  {
-    auto block = vtk::TakeSmartPointer(composite->NewIterator());
-    for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem())
-    {
-      if (auto* polygons = vtkPolyData::SafeDownCast(block->GetCurrentDataObject()))
-      {
-        result.push_back(polygons);
-      }
-    }
-  }
-  return result;
 }
 
 template <typename Count>
@@ -130,8 +84,22 @@ double vtkShadowCaster::GetRadius() const
          std::max({ glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]) });
 }
 
+/** Meshes that are in use, and when their shape last changed. */
+struct vtkShadowCasters::Known
+{
+  struct Entry
+  {
+    vtkMTimeType Time = 0;
+    std::shared_ptr<const vtkShadowMesh> Mesh;
+  };
+  std::map<vtkShadowSurface::Origin, Entry> Entries;
+};
+
 //------------------------------------------------------------------------------
-vtkShadowCasters::vtkShadowCasters() = default;
+vtkShadowCasters::vtkShadowCasters()
+  : Meshes(new Known)
+{
+}
 
 //------------------------------------------------------------------------------
 vtkShadowCasters::~vtkShadowCasters() = default;
@@ -139,35 +107,38 @@ vtkShadowCasters::~vtkShadowCasters() = default;
 //------------------------------------------------------------------------------
 bool vtkShadowCasters::Update(vtkRenderer* renderer)
 {
-  // Meshes that are still valid, by their source.
-  std::map<vtkPolyData*, std::shared_ptr<const vtkShadowMesh>> known;
-  for (const auto& caster : this->Casters)
-  {
-    known[caster.Mesh->Source] = caster.Mesh;
-  }
-
+  Known known; // of this time; what is in it no more is forgotten
   std::vector<Placed> placed;
   std::vector<std::array<glm::dvec3, 8>> receivers; // in the world
-  const auto addActor = [&](vtkProp* root, vtkActor* actor, vtkMatrix4x4* matrix)
+  const auto add = [&](vtkProp* root, vtkProp* prop, vtkMatrix4x4* matrix)
   {
     const glm::dmat4 modelToWorld = glm::transpose(glm::make_mat4(matrix->GetData()));
     const std::size_t before = placed.size();
-    if (vtkShadowPass::GetCasting(root) && Casts(actor))
+    const auto addSurface = [&](const vtkShadowSurface& surface)
     {
-      for (vtkPolyData* polygons : GetInputs(actor->GetMapper()))
+      if (surface.Translucent)
       {
-        auto& mesh = known[polygons];
-        if (!mesh || mesh->SourceTime != vtkShadowMesh::GetShapeTime(polygons))
-        {
-          mesh = vtkShadowMesh::Make(polygons);
-        }
-        if (!mesh->Indices.empty() || mesh->Dropped > 0)
-        {
-          placed.push_back({ mesh, actor, glm::translate(modelToWorld, mesh->Centre) });
-        }
+        return;
       }
+      Known::Entry& entry = known.Entries[surface.From];
+      if (!entry.Mesh)
+      {
+        const auto old = this->Meshes->Entries.find(surface.From);
+        const bool same = old != this->Meshes->Entries.end() && old->second.Time == surface.Time;
+        entry.Time = surface.Time;
+        entry.Mesh = same ? old->second.Mesh : vtkShadowMesh::Make(surface.MakePolygons());
+      }
+      if (!entry.Mesh->Indices.empty() || entry.Mesh->Dropped > 0)
+      {
+        placed.push_back({ entry.Mesh, prop, glm::translate(modelToWorld, entry.Mesh->Centre) });
+      }
+    };
+    if (vtkShadowPass::GetCasting(root))
+    {
+      vtkForEachShadowSurface(prop, matrix, addSurface);
     }
-    const double* b = actor->GetMapper() ? actor->GetMapper()->GetBounds() : nullptr;
+    auto* actor = vtkActor::SafeDownCast(prop);
+    const double* b = actor && actor->GetMapper() ? actor->GetMapper()->GetBounds() : nullptr;
     if (placed.size() == before && vtkShadowPass::GetReceiving(root) && b && b[0] <= b[1])
     {
       receivers.push_back(BoxCorners({ b[0], b[2], b[4] }, { b[1], b[3], b[5] }));
@@ -184,10 +155,11 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer)
   {
     if (prop->GetVisibility())
     {
-      vtkShadowPass::ForEachActor(
-        prop, [&](vtkActor* actor, vtkMatrix4x4* matrix) { addActor(prop, actor, matrix); });
+      vtkShadowPass::ForEachPart(
+        prop, [&](vtkProp* part, vtkMatrix4x4* matrix) { add(prop, part, matrix); });
     }
   }
+  *this->Meshes = std::move(known);
 
   bool changed = placed.size() != this->Casters.size();
   bool meshesChanged = changed;

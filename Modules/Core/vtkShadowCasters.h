@@ -75,8 +75,8 @@ public:
 
   /**
    * Gather what the renderer's visible props cast. True when anything changed.
-   * Casting: actors (and those within assemblies) with polygons, drawn as surfaces, opaque, and
-   * not switched off by vtkShadowPass::SetCasting. Updates the mappers' inputs.
+   * Casting: what vtkShadowSurfaces.h names, of props and those within assemblies, opaque, and not
+   * switched off by vtkShadowPass::SetCasting. Updates the mappers' inputs.
    */
   bool Update(vtkRenderer* renderer);
 
@@ -123,7 +123,10 @@ private:
   void SetCaster(vtkShaderProgram* program, const glm::dmat4& WCToClip,
     const vtkShadowCaster& caster, const vtkShadowCasterDraw& how);
 
+  struct Known;
+
   std::vector<vtkShadowCaster> Casters;
+  std::unique_ptr<Known> Meshes; // by where they come from
   std::vector<std::array<glm::dvec3, 8>> Receivers;
   glm::dvec3 Origin{ 0.0 };
   double Size = 0.0;

@@ -100,8 +100,6 @@ vtkMTimeType vtkShadowMesh::GetShapeTime(vtkPolyData* source)
 std::shared_ptr<const vtkShadowMesh> vtkShadowMesh::Make(vtkPolyData* source)
 {
   auto mesh = std::make_shared<vtkShadowMesh>();
-  mesh->Source = source;
-  mesh->SourceTime = vtkShadowMesh::GetShapeTime(source);
   if (!source->GetPoints() || source->GetNumberOfPolys() + source->GetNumberOfStrips() == 0)
   {
     return mesh;

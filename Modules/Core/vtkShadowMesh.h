@@ -3,7 +3,6 @@
 #ifndef vtkShadowMesh_h
 #define vtkShadowMesh_h
 
-#include "vtkSmartPointer.h"          // For Source
 #include "vtkSoftShadowsCoreModule.h" // For export macro
 #include "vtkType.h"                  // For vtkMTimeType
 
@@ -18,8 +17,6 @@ class vtkPolyData;
 
 struct VTKSOFTSHADOWSCORE_EXPORT vtkShadowMesh
 {
-  vtkSmartPointer<vtkPolyData> Source;
-  vtkMTimeType SourceTime = 0;
   glm::dvec3 Centre{ 0.0 };           // model coordinates; positions are relative to it
   std::vector<float> Positions;       // x, y, z, and one float of padding, for Embree
   std::vector<std::uint32_t> Indices; // three a triangle

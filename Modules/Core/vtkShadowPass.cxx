@@ -1,6 +1,5 @@
 #include "vtkShadowPass.h"
 
-#include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkInformation.h"
@@ -269,8 +268,7 @@ void vtkShadowPass::MarkProps(bool mark)
   for (vtkProp* prop : my.Props)
   {
     markOne(prop);
-    vtkShadowPass::ForEachActor(
-      prop, [&markOne](vtkActor* actor, vtkMatrix4x4*) { markOne(actor); });
+    vtkShadowPass::ForEachPart(prop, [&markOne](vtkProp* part, vtkMatrix4x4*) { markOne(part); });
   }
 }
 

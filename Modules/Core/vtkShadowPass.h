@@ -33,13 +33,12 @@
 #include "vtkOpenGLRenderPass.h"
 #include "vtkSoftShadowsCoreModule.h" // For export macro
 
-#include <functional> // For ForEachActor
+#include <functional> // For ForEachPart
 #include <memory>     // For Internal
 #include <string>     // For parameters
 #include <utility>    // For std::pair
 #include <vector>     // For common parameters
 
-class vtkActor;
 class vtkImageData;
 class vtkInformationIntegerKey;
 class vtkLight;
@@ -169,10 +168,11 @@ public:
   static const std::vector<vtkShadowParameter>& GetCommonParameters();
 
   /**
-   * Call a function with each actor that a prop draws, itself or within an assembly, and its matrix.
+   * Call a function with each prop in space that a prop draws, and its matrix: itself, the visible
+   * parts of an assembly, or the chosen level of detail of a vtkLODProp3D.
    */
-  static void ForEachActor(
-    vtkProp* prop, const std::function<void(vtkActor*, vtkMatrix4x4*)>& function);
+  static void ForEachPart(
+    vtkProp* prop, const std::function<void(vtkProp*, vtkMatrix4x4*)>& function);
 
   ///@{
   /** The pass's part in VTK's rendering; not for users. */

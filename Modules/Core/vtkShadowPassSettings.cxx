@@ -8,8 +8,11 @@
 #include "vtkAssemblyPath.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkLODProp3D.h"
 #include "vtkLight.h"
+#include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
+#include "vtkPropCollection.h"
 
 #include <nlohmann/json.hpp>
 
@@ -364,27 +367,43 @@ bool vtkShadowPass::GetLightCasting(vtkLight* light)
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowPass::ForEachActor(
-  vtkProp* prop, const std::function<void(vtkActor*, vtkMatrix4x4*)>& function)
+void vtkShadowPass::ForEachPart(
+  vtkProp* prop, const std::function<void(vtkProp*, vtkMatrix4x4*)>& function)
 {
-  if (auto* actor = vtkActor::SafeDownCast(prop))
+  if (prop->IsA("vtkAssembly") || prop->IsA("vtkPropAssembly"))
   {
-    function(actor, actor->GetMatrix());
-    return;
-  }
-  if (!prop->IsA("vtkAssembly") && !prop->IsA("vtkPropAssembly"))
-  {
-    return;
-  }
-  prop->InitPathTraversal();
-  while (vtkAssemblyPath* path = prop->GetNextPath())
-  {
-    vtkAssemblyNode* node = path->GetLastNode();
-    auto* actor = vtkActor::SafeDownCast(node->GetViewProp());
-    if (actor && actor->GetVisibility())
+    prop->InitPathTraversal();
+    while (vtkAssemblyPath* path = prop->GetNextPath())
     {
-      function(actor, node->GetMatrix() ? node->GetMatrix() : actor->GetMatrix());
+      vtkAssemblyNode* node = path->GetLastNode();
+      vtkProp* part = node->GetViewProp();
+      vtkMatrix4x4* matrix = node->GetMatrix() ? node->GetMatrix() : part->GetMatrix();
+      if (part->GetVisibility() && matrix)
+      {
+        function(part, matrix);
+      }
     }
+  }
+  else if (auto* levels = vtkLODProp3D::SafeDownCast(prop))
+  {
+    // The level is chosen while drawing: this is the one of the last frame, or the first.
+    const int last = levels->GetLastRenderedLODID();
+    auto* shown = last >= 0 ? vtkMapper::SafeDownCast(levels->GetLODMapper(last)) : nullptr;
+    vtkNew<vtkPropCollection> actors;
+    levels->GetActors(actors);
+    for (int i = 0; i < actors->GetNumberOfItems(); ++i)
+    {
+      auto* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
+      if (!shown || actor->GetMapper() == shown)
+      {
+        function(actor, levels->GetMatrix());
+        return;
+      }
+    }
+  }
+  else if (vtkMatrix4x4* matrix = prop->GetMatrix())
+  {
+    function(prop, matrix);
   }
 }
 

@@ -4,6 +4,7 @@
 #include "vtkFloatArray.h"
 #include "vtkOpenGLState.h"
 #include "vtkPointData.h"
+#include "vtkPointGaussianMapper.h"
 #include "vtkShaderProgram.h"
 #include "vtkShadowDebugFS.h"
 #include "vtkShadowPassInternals.h"
@@ -65,11 +66,23 @@ void vtkShadowPass::RenderReceivers()
   this->MarkProps(true);
   for (vtkProp* prop : my.Props)
   {
-    // What is drawn by others' shaders hides what lies behind it, and is no receiver.
+    // What is drawn by others' shaders hides what lies behind it, and is no receiver. What glows is
+    // added to the picture and hides nothing.
     bool ours = false;
-    vtkShadowPass::ForEachActor(prop, [&ours](vtkActor*, vtkMatrix4x4*) { ours = true; });
-    state->vtkglColorMask(ours, ours, ours, ours);
-    prop->RenderOpaqueGeometry(my.Renderer);
+    bool glows = false;
+    vtkShadowPass::ForEachPart(prop,
+      [&](vtkProp* part, vtkMatrix4x4*)
+      {
+        auto* actor = vtkActor::SafeDownCast(part);
+        auto* points = actor ? vtkPointGaussianMapper::SafeDownCast(actor->GetMapper()) : nullptr;
+        ours = ours || actor;
+        glows = glows || (points && points->GetEmissive());
+      });
+    if (!glows)
+    {
+      state->vtkglColorMask(ours, ours, ours, ours);
+      prop->RenderOpaqueGeometry(my.Renderer);
+    }
   }
   this->MarkProps(false);
   my.Buffer.GetTarget().Deactivate(my.Window);

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <dlfcn.h>
 #include <iostream>
 #include <map>
@@ -45,7 +46,11 @@ public:
   }
   void DisplayGenericWarningText(const char* text) override
   {
-    ShadowTest::AddMessage(ShadowTest::Message::Warning, text);
+    // VTK 9.1 calls what it has deprecated itself, where a level-of-detail actor copies its mapper.
+    if (!std::strstr(text, "was deprecated for VTK"))
+    {
+      ShadowTest::AddMessage(ShadowTest::Message::Warning, text);
+    }
   }
 };
 vtkStandardNewMacro(Collector);

@@ -1,0 +1,234 @@
+#include "vtkShadowSurfaces.h"
+
+#include "vtkActor.h"
+#include "vtkAlgorithm.h"
+#include "vtkCellArray.h"
+#include "vtkClipPolyData.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkCompositePolyDataMapper2.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeRange.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkImageMapper3D.h"
+#include "vtkImageSlice.h"
+#include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPlane.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkShadowGlyphs.h"
+#include "vtkShadowMesh.h"
+#include "vtkTexture.h"
+
+#include <array>
+#include <utility>
+
+namespace
+{
+using Function = std::function<void(const vtkShadowSurface&)>;
+
+/** The mapper's clipping planes in model coordinates. */
+std::vector<double> GetPlanes(vtkAbstractMapper3D* mapper, vtkMatrix4x4* matrix)
+{
+  std::vector<double> planes(4 * mapper->GetNumberOfClippingPlanes());
+  for (int i = 0; i < mapper->GetNumberOfClippingPlanes(); ++i)
+  {
+    mapper->GetClippingPlaneInDataCoords(matrix, i, &planes[4 * i]);
+  }
+  return planes;
+}
+
+vtkSmartPointer<vtkPolyData> Clip(
+  vtkSmartPointer<vtkPolyData> polygons, const std::vector<double>& planes)
+{
+  for (std::size_t i = 0; i < planes.size(); i += 4)
+  {
+    const double* p = &planes[i];
+    const double length2 = p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
+    vtkNew<vtkPlane> plane;
+    plane->SetNormal(p[0], p[1], p[2]);
+    plane->SetOrigin(-p[3] * p[0] / length2, -p[3] * p[1] / length2, -p[3] * p[2] / length2);
+    vtkNew<vtkPolyData> shape; // without the data that would be interpolated
+    shape->SetPoints(polygons->GetPoints());
+    shape->SetPolys(polygons->GetPolys());
+    shape->SetStrips(polygons->GetStrips());
+    vtkNew<vtkClipPolyData> clip;
+    clip->SetInputData(shape);
+    clip->SetClipFunction(plane);
+    clip->Update();
+    polygons = clip->GetOutput();
+  }
+  return polygons;
+}
+
+/** Give the surface its clipping planes, and hand it on. */
+void HandOn(vtkShadowSurface& surface, vtkMapper* mapper, vtkMatrix4x4* matrix,
+  std::function<vtkSmartPointer<vtkPolyData>()> make, const Function& function)
+{
+  surface.From.Details = GetPlanes(mapper, matrix);
+  if (surface.From.Details.empty())
+  {
+    surface.MakePolygons = std::move(make);
+  }
+  else
+  {
+    surface.MakePolygons = [planes = surface.From.Details, make = std::move(make)]
+    { return Clip(make(), planes); };
+  }
+  function(surface);
+}
+
+/** What a block takes from the blocks it lies in, as vtkCompositePolyDataMapper2 has it. */
+struct BlockState
+{
+  double Opacity;
+  bool Translucent; // for another reason than the opacity
+};
+
+void ForEachBlock(vtkDataObject* block, vtkCompositeDataDisplayAttributes* attributes, bool visible,
+  BlockState state, const std::function<void(vtkPolyData*, const BlockState&)>& function)
+{
+  if (attributes && attributes->HasBlockVisibility(block))
+  {
+    visible = attributes->GetBlockVisibility(block);
+  }
+  if (attributes && attributes->HasBlockOpacity(block))
+  {
+    state.Opacity = attributes->GetBlockOpacity(block);
+  }
+  if (auto* tree = vtkDataObjectTree::SafeDownCast(block))
+  {
+    for (vtkDataObject* child : vtk::Range(tree, vtk::DataObjectTreeOptions::None))
+    {
+      if (child)
+      {
+        ForEachBlock(child, attributes, visible, state, function);
+      }
+    }
+  }
+  else if (auto* polygons = vtkPolyData::SafeDownCast(block))
+  {
+    if (visible)
+    {
+      function(polygons, state);
+    }
+  }
+}
+
+void ForEachSurfaceOfActor(vtkActor* actor, vtkMatrix4x4* matrix, const Function& function)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  if (!mapper || mapper->GetNumberOfInputConnections(0) == 0)
+  {
+    return;
+  }
+  const bool surfaces = actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
+  mapper->GetInputAlgorithm()->Update();
+  vtkDataObject* input = mapper->GetInputDataObject(0, 0);
+  vtkShadowSurface surface;
+  surface.Translucent = actor->HasTranslucentPolygonalGeometry() != 0;
+  surface.Opacity = actor->GetProperty()->GetOpacity();
+  if (vtkShadowGlyphs::IsMadeBy(mapper))
+  {
+    if (input && (surfaces || !vtkShadowGlyphs::IsRepresented(mapper)))
+    {
+      surface.From.Input = input;
+      surface.From.Mapper = mapper;
+      surface.Time = vtkShadowGlyphs::GetShapeTime(mapper);
+      HandOn(
+        surface, mapper, matrix, [mapper] { return vtkShadowGlyphs::Make(mapper); }, function);
+    }
+    return;
+  }
+  if (!surfaces || !(mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkCompositePolyDataMapper")))
+  {
+    return;
+  }
+  auto* composite = vtkCompositePolyDataMapper2::SafeDownCast(mapper);
+  auto* attributes = composite ? composite->GetCompositeDataDisplayAttributes() : nullptr;
+  const bool blocksAreTranslucent = attributes && attributes->HasBlockOpacities();
+  const BlockState state{ surface.Opacity,
+    surface.Translucent && surface.Opacity >= 1.0 && !blocksAreTranslucent };
+  ForEachBlock(input, attributes, true, state,
+    [&](vtkPolyData* polygons, const BlockState& block)
+    {
+      surface.From.Input = polygons;
+      surface.From.Mapper = nullptr;
+      surface.Time = vtkShadowMesh::GetShapeTime(polygons);
+      surface.Opacity = block.Opacity;
+      surface.Translucent = block.Translucent || block.Opacity < 1.0;
+      HandOn(
+        surface, mapper, matrix, [polygons] { return vtkSmartPointer<vtkPolyData>(polygons); },
+        function);
+    });
+}
+
+void ForEachSurfaceOfSlice(vtkImageSlice* slice, const Function& function)
+{
+  vtkImageMapper3D* mapper = slice->GetMapper();
+  if (!mapper || !mapper->IsA("vtkImageSliceMapper") || mapper->GetNumberOfInputConnections(0) == 0)
+  {
+    return;
+  }
+  mapper->GetInputAlgorithm()->Update();
+  const double* bounds = mapper->GetBounds();
+  int flat = -1;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (bounds[2 * axis] == bounds[2 * axis + 1])
+    {
+      flat = flat < 0 ? axis : 3; // flat in two directions: a line
+    }
+    else if (!(bounds[2 * axis] < bounds[2 * axis + 1]))
+    {
+      flat = 3;
+    }
+  }
+  if (flat < 0 || flat > 2)
+  {
+    return;
+  }
+  const std::array<double, 6> box = { bounds[0], bounds[1], bounds[2], bounds[3], bounds[4],
+    bounds[5] };
+  vtkShadowSurface surface;
+  surface.From.Input = mapper->GetInputDataObject(0, 0);
+  surface.From.Mapper = mapper;
+  surface.From.Details.assign(box.begin(), box.end()); // which is all that counts
+  surface.Translucent = slice->HasTranslucentPolygonalGeometry() != 0;
+  surface.MakePolygons = [box, flat]
+  {
+    double corners[3][3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const bool first = axis == (flat + 1) % 3;
+      const bool second = axis == (flat + 2) % 3;
+      corners[0][axis] = box[2 * axis];
+      corners[1][axis] = box[2 * axis + (first ? 1 : 0)];
+      corners[2][axis] = box[2 * axis + (second ? 1 : 0)];
+    }
+    vtkNew<vtkPlaneSource> rectangle;
+    rectangle->SetOrigin(corners[0]);
+    rectangle->SetPoint1(corners[1]);
+    rectangle->SetPoint2(corners[2]);
+    rectangle->Update();
+    return vtkSmartPointer<vtkPolyData>(rectangle->GetOutput());
+  };
+  function(surface);
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkForEachShadowSurface(vtkProp* prop, vtkMatrix4x4* matrix, const Function& function)
+{
+  if (auto* actor = vtkActor::SafeDownCast(prop))
+  {
+    ForEachSurfaceOfActor(actor, matrix, function);
+  }
+  else if (auto* slice = vtkImageSlice::SafeDownCast(prop))
+  {
+    ForEachSurfaceOfSlice(slice, function);
+  }
+}
