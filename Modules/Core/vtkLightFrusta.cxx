@@ -140,7 +140,16 @@ vtkLightFrusta::vtkLightFrusta(
   , Origin(casters.GetOrigin())
 {
   const auto& all = casters.Get();
-  const auto& receivers = casters.GetReceivers();
+  auto receivers = casters.GetReceivers();
+  const auto sees = [&](const vtkShadowCaster& caster)
+  { return caster.Opacity >= light.LeastOpacity; };
+  for (const auto& caster : all)
+  {
+    if (!sees(caster))
+    {
+      receivers.push_back(caster.Corners); // for this part of the light
+    }
+  }
   const auto extremes = light.GetExtremes();
   // Signed distance of a place on the light from a plane; of a direction, its component.
   const auto side = [&](const glm::dvec3& place, const glm::dvec3& normal, const glm::dvec3& point)
@@ -154,7 +163,7 @@ vtkLightFrusta::vtkLightFrusta(
   for (std::size_t i = 0; i < all.size(); ++i)
   {
     const auto& caster = all[i];
-    if (caster.Mesh->Indices.empty())
+    if (caster.Mesh->Indices.empty() || !sees(caster))
     {
       continue;
     }
@@ -193,7 +202,7 @@ vtkLightFrusta::vtkLightFrusta(
         };
         for (std::size_t j = 0; j < all.size(); ++j)
         {
-          if (j != i)
+          if (j != i && sees(all[j]))
           {
             addIfBehind(all[j].Corners);
           }

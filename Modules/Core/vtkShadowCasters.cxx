@@ -23,9 +23,11 @@
 #include <glm/vector_relational.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 
 namespace
 {
@@ -52,7 +54,37 @@ struct Placed
   std::shared_ptr<const vtkShadowMesh> Mesh;
   vtkProp* Prop;
   glm::dmat4 MeshToWorld;
+  double Opacity;
 };
+
+/**
+ * The opacities below 1 that occur, ascending. Where there are more than so many levels, opacities
+ * are rounded to as many between 0 and 1, and what is rounded to 0 casts nothing.
+ */
+std::vector<double> FindOpacities(std::vector<Placed>& placed, int levels)
+{
+  std::set<double> found;
+  for (const auto& item : placed)
+  {
+    found.insert(item.Opacity);
+  }
+  found.erase(1.0);
+  if (static_cast<int>(found.size()) > levels)
+  {
+    found.clear();
+    for (auto& item : placed)
+    {
+      item.Opacity = std::round(item.Opacity * (levels + 1)) / (levels + 1);
+      found.insert(item.Opacity);
+    }
+    placed.erase(std::remove_if(placed.begin(), placed.end(),
+                   [](const Placed& item) { return item.Opacity == 0.0; }),
+      placed.end());
+    found.erase(0.0);
+    found.erase(1.0);
+  }
+  return { found.begin(), found.end() };
+}
 }
 
 /** What lies on the GPU. */
@@ -105,7 +137,7 @@ vtkShadowCasters::vtkShadowCasters()
 vtkShadowCasters::~vtkShadowCasters() = default;
 
 //------------------------------------------------------------------------------
-bool vtkShadowCasters::Update(vtkRenderer* renderer)
+bool vtkShadowCasters::Update(vtkRenderer* renderer, vtkTranslucentCasters translucent, int levels)
 {
   Known known; // of this time; what is in it no more is forgotten
   std::vector<Placed> placed;
@@ -116,7 +148,9 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer)
     const std::size_t before = placed.size();
     const auto addSurface = [&](const vtkShadowSurface& surface)
     {
-      if (surface.Translucent)
+      const bool weighted = surface.Translucent && translucent == vtkTranslucentCasters::Weighted;
+      const double opacity = weighted ? std::min(surface.Opacity, 1.0) : 1.0;
+      if ((surface.Translucent && translucent == vtkTranslucentCasters::Off) || !(opacity > 0.0))
       {
         return;
       }
@@ -130,10 +164,11 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer)
       }
       if (!entry.Mesh->Indices.empty() || entry.Mesh->Dropped > 0)
       {
-        placed.push_back({ entry.Mesh, prop, glm::translate(modelToWorld, entry.Mesh->Centre) });
+        placed.push_back(
+          { entry.Mesh, prop, glm::translate(modelToWorld, entry.Mesh->Centre), opacity });
       }
     };
-    if (vtkShadowPass::GetCasting(root))
+    if (vtkShadowPass::GetCasting(root) && !vtkShadowPass::GetShadowCatcher(root))
     {
       vtkForEachShadowSurface(prop, matrix, addSurface);
     }
@@ -160,6 +195,7 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer)
     }
   }
   *this->Meshes = std::move(known);
+  this->Opacities = FindOpacities(placed, levels);
 
   bool changed = placed.size() != this->Casters.size();
   bool meshesChanged = changed;
@@ -190,8 +226,10 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer)
   const glm::dmat4 worldToWC = glm::translate(glm::dmat4(1.0), -this->Origin);
   for (const auto& item : placed)
   {
-    vtkShadowCaster caster{ item.Mesh, item.Prop, worldToWC * item.MeshToWorld, {} };
-    changed = changed || meshesChanged || caster.MeshToWC != this->Casters[casters.size()].MeshToWC;
+    vtkShadowCaster caster{ item.Mesh, item.Prop, worldToWC * item.MeshToWorld, item.Opacity, {} };
+    changed = changed || meshesChanged ||
+              caster.MeshToWC != this->Casters[casters.size()].MeshToWC ||
+              caster.Opacity != this->Casters[casters.size()].Opacity;
     caster.Corners = BoxCorners(item.Mesh->Minimum, item.Mesh->Maximum);
     for (auto& corner : caster.Corners)
     {

@@ -1,10 +1,12 @@
 #include "vtkShadowInjection.h"
 
+#include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLState.h"
 #include "vtkProp.h"
 #include "vtkShaderProgram.h"
+#include "vtkShadowCatchFS.h"
 #include "vtkShadowEvaluateFS.h"
 #include "vtkShadowInjectFS.h"
 #include "vtkShadowLightsFS.h"
@@ -16,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <functional>
 
 namespace
 {
@@ -24,8 +27,12 @@ bool IsWord(char c)
   return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
 
-/** Multiply every lightColorN of a casting light, outside its declaration. True if there is any N. */
-bool MultiplyLightColors(std::string& source, const std::vector<int>& lightOfSlot, bool multiply)
+/**
+ * Replace every lightColorN outside its declaration by what a function makes of N. True if there is
+ * any.
+ */
+bool ReplaceLightColors(
+  std::string& source, const std::function<std::string(std::size_t)>& getReplacement)
 {
   static const std::string token = "lightColor";
   static const std::string declaration = "uniform vec3 ";
@@ -44,17 +51,9 @@ bool MultiplyLightColors(std::string& source, const std::vector<int>& lightOfSlo
                                                         declaration.size(), declaration) == 0;
     const bool whole = !number.empty() && (at == 0 || !IsWord(source[at - 1])) &&
                        (end == source.size() || !IsWord(source[end]));
-    result += source.substr(from, end - from);
-    if (whole && !declared)
-    {
-      lit = true;
-      const std::size_t slot = std::stoul(number);
-      if (multiply && slot < lightOfSlot.size() && lightOfSlot[slot] >= 0)
-      {
-        result.resize(result.size() - (end - at));
-        result += "(lightColor" + number + " * shadowFactor" + number + ")";
-      }
-    }
+    result += source.substr(from, at - from);
+    lit = lit || (whole && !declared);
+    result += whole && !declared ? getReplacement(std::stoul(number)) : token + number;
     from = end;
   }
   source = result + source.substr(from);
@@ -65,7 +64,7 @@ bool MultiplyLightColors(std::string& source, const std::vector<int>& lightOfSlo
 //------------------------------------------------------------------------------
 bool vtkShadowInjection::Code::operator==(const Code& other) const
 {
-  return this->Declarations == other.Declarations && this->LightOfSlot == other.LightOfSlot &&
+  return this->Declarations == other.Declarations && this->LightsOfSlot == other.LightsOfSlot &&
          this->Receivers == other.Receivers && this->Shading == other.Shading;
 }
 
@@ -77,61 +76,90 @@ void vtkShadowInjection::Mark(std::string& source)
   vtkShaderProgram::Substitute(
     source, "//VTK::UniformFlow::Impl", "//SHADOW::UniformFlow\n  //VTK::UniformFlow::Impl", false);
   vtkShaderProgram::Substitute(
-    source, "//VTK::Light::Impl", "//SHADOW::Impl\n  //VTK::Light::Impl", false);
+    source, "//VTK::Light::Impl", "//SHADOW::Impl\n  //VTK::Light::Impl\n  //SHADOW::End", false);
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowInjection::Fill(std::string& source, const Code& code)
+void vtkShadowInjection::Fill(std::string& source, const Code& code, bool catches)
 {
-  if (code.Declarations.empty())
+  if (code.Declarations.empty() && !catches)
   {
     return;
   }
   const bool positioned = source.find("vec4 vertexVC =") != std::string::npos;
-  if (!positioned || !MultiplyLightColors(source, code.LightOfSlot, code.Shading))
+  const auto hasShadow = [&](std::size_t slot)
   {
-    // Unlit: it hides what lies behind it, and receives nothing.
+    return positioned && code.Shading && slot < code.LightsOfSlot.size() &&
+           !code.LightsOfSlot[slot].empty();
+  };
+  const bool lit = ReplaceLightColors(source,
+    [&](std::size_t slot)
+    {
+      const std::string number = std::to_string(slot);
+      const std::string color = "lightColor" + number;
+      const std::string factor = "shadowFactor" + number;
+      if (catches)
+      {
+        return "shadowBrightness(" + color + ", vec3(" + (hasShadow(slot) ? factor : "1.0") + "))";
+      }
+      return hasShadow(slot) ? "(" + color + " * " + factor + ")" : color;
+    });
+  std::string declarations;
+  std::string body;
+  if (positioned && lit && !code.Declarations.empty())
+  {
+    declarations = code.Declarations;
+    vtkShaderProgram::Substitute(source, "//SHADOW::UniformFlow",
+      "vec3 shadowDxVC = dFdx(vertexVC.xyz);\n  vec3 shadowDyVC = dFdy(vertexVC.xyz);");
+    // Imposters move the position after its derivatives are taken; their own normal is exact.
+    const bool imposter = source.find("gl_FragDepth =") != std::string::npos;
+    body = imposter ? "vec3 shadowNormalVC = normalVCVSOutput;\n"
+                    : "vec3 shadowNormalVC = shadowGeometricNormal(shadowDxVC, shadowDyVC);\n";
     if (code.Receivers)
     {
-      vtkShaderProgram::Substitute(source, "//SHADOW::Dec",
-        code.Shading ? "uniform bool shadowWritesReceivers;"
-                     : "const bool shadowWritesReceivers = true;");
-      vtkShaderProgram::Substitute(source, "//SHADOW::Impl",
-        "if (shadowWritesReceivers) { gl_FragData[0] = vec4(0.0); return; }");
+      body += "  if (shadowWritesReceivers)\n"
+              "  {\n"
+              "    gl_FragData[0] = vec4(vertexVC.xyz, !shadowReceives ? 0.0 :\n"
+              "      (shadowCasts ? 1.0 : -1.0) * shadowPackNormal("
+              "shadowNormalVC == vec3(0.0) ? normalVCVSOutput : shadowNormalVC));\n"
+              "    return;\n"
+              "  }\n";
     }
-    return;
-  }
-  // Imposters move the position after its derivatives are taken; their own normal is exact.
-  const bool imposter = source.find("gl_FragDepth =") != std::string::npos;
-  std::string body = imposter
-                       ? "vec3 shadowNormalVC = normalVCVSOutput;\n"
-                       : "vec3 shadowNormalVC = shadowGeometricNormal(shadowDxVC, shadowDyVC);\n";
-  if (code.Receivers)
-  {
-    body += "  if (shadowWritesReceivers)\n"
-            "  {\n"
-            "    gl_FragData[0] = vec4(vertexVC.xyz, !shadowReceives ? 0.0 :\n"
-            "      (shadowCasts ? 1.0 : -1.0) * shadowPackNormal("
-            "shadowNormalVC == vec3(0.0) ? normalVCVSOutput : shadowNormalVC));\n"
-            "    return;\n"
-            "  }\n";
-  }
-  if (code.Shading)
-  {
-    body += "  float shadowFootprint = 4.0 * (length(shadowDxVC) + length(shadowDyVC));\n";
-    for (std::size_t slot = 0; slot < code.LightOfSlot.size(); ++slot)
+    if (code.Shading)
     {
-      if (code.LightOfSlot[slot] >= 0)
+      body += "  float shadowFootprint = 4.0 * (length(shadowDxVC) + length(shadowDyVC));\n";
+    }
+    for (std::size_t slot = 0; slot < code.LightsOfSlot.size(); ++slot)
+    {
+      if (hasShadow(slot))
       {
-        body += "  SHADOW_VISIBILITY shadowFactor" + std::to_string(slot) + " = shadowFactor(" +
-                std::to_string(code.LightOfSlot[slot]) +
-                ", vertexVC.xyz, shadowNormalVC, shadowFootprint);\n";
+        // Of its parts: 1 minus what each takes.
+        std::string factor;
+        for (const int light : code.LightsOfSlot[slot])
+        {
+          factor += (factor.empty() ? "" : " - 1.0 + ") +
+                    ("shadowFactor(" + std::to_string(light)) +
+                    ", vertexVC.xyz, shadowNormalVC, shadowFootprint)";
+        }
+        body += "  SHADOW_VISIBILITY shadowFactor" + std::to_string(slot) + " = " + factor + ";\n";
       }
     }
   }
-  vtkShaderProgram::Substitute(source, "//SHADOW::Dec", code.Declarations);
-  vtkShaderProgram::Substitute(source, "//SHADOW::UniformFlow",
-    "vec3 shadowDxVC = dFdx(vertexVC.xyz);\n  vec3 shadowDyVC = dFdy(vertexVC.xyz);");
+  else if (code.Receivers)
+  {
+    // Unlit: it hides what lies behind it, and receives nothing.
+    declarations = code.Shading ? "uniform bool shadowWritesReceivers;"
+                                : "const bool shadowWritesReceivers = true;";
+    body = "if (shadowWritesReceivers) { gl_FragData[0] = vec4(0.0); return; }\n";
+  }
+  if (catches)
+  {
+    declarations += vtkShadowCatchFS;
+    body += "  ambientColor = vec3(0.0); diffuseColor = vec3(1.0); specularColor = vec3(0.0);\n";
+    vtkShaderProgram::Substitute(source, "//SHADOW::End",
+      lit ? "gl_FragData[0] = shadowCatch(gl_FragData[0]);" : "gl_FragData[0] = vec4(0.0);");
+  }
+  vtkShaderProgram::Substitute(source, "//SHADOW::Dec", declarations);
   vtkShaderProgram::Substitute(source, "//SHADOW::Impl", body);
 }
 
@@ -211,9 +239,10 @@ bool vtkShadowPass::PreReplaceShaderValues(
 
 //------------------------------------------------------------------------------
 bool vtkShadowPass::PostReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
 {
-  vtkShadowInjection::Fill(fragmentShader, this->Internal->Injected);
+  vtkShadowInjection::Fill(
+    fragmentShader, this->Internal->Injected, vtkShadowPass::GetShadowCatcher(prop));
   return true;
 }
 
@@ -237,9 +266,9 @@ void vtkShadowPass::UpdateInjection(bool writesReceivers)
                         (forward ? this->GetVisibilityGLSL() : "") + vtkShadowInjectFS;
     for (std::size_t i = 0; i < my.Frame.Lights.size(); ++i)
     {
-      code.LightOfSlot.resize(
-        std::max<std::size_t>(code.LightOfSlot.size(), my.Frame.Lights[i].Slot + 1), -1);
-      code.LightOfSlot[my.Frame.Lights[i].Slot] = static_cast<int>(i);
+      code.LightsOfSlot.resize(
+        std::max<std::size_t>(code.LightsOfSlot.size(), my.Frame.Lights[i].Slot + 1));
+      code.LightsOfSlot[my.Frame.Lights[i].Slot].push_back(static_cast<int>(i));
     }
   }
   my.WritesReceivers = writesReceivers;
@@ -269,7 +298,7 @@ bool vtkShadowPass::SetShaderParameters(
   std::array<float, Internals::MaximumLights> attenuation{};
   for (std::size_t i = 0; receives && i < my.Frame.Lights.size(); ++i)
   {
-    attenuation[i] = static_cast<float>(my.Frame.Lights[i].Attenuation);
+    attenuation[i] = static_cast<float>(my.Frame.Lights[i].Attenuation * my.Frame.Lights[i].Share);
   }
   program->SetUniform1fv(
     "shadowAttenuation", std::max(1, static_cast<int>(my.Frame.Lights.size())), attenuation.data());
@@ -277,8 +306,16 @@ bool vtkShadowPass::SetShaderParameters(
   program->SetUniformi("shadowCasts", vtkShadowPass::GetCasting(prop));
   if (my.ScreenSpace)
   {
+    auto* actor = vtkActor::SafeDownCast(prop);
+    const bool glass = my.GlassValid && actor && actor->IsRenderingTranslucentPolygonalGeometry();
     program->SetUniformi("shadowWritesReceivers", my.WritesReceivers);
     program->SetUniformi("shadowTranslucent", prop->HasTranslucentPolygonalGeometry() != 0);
+    // Set while receivers are written too, or they would share a unit with the prop's own textures.
+    // The receivers themselves cannot be bound then.
+    auto& buffer = my.WritesReceivers ? *my.Written : (glass ? my.Glass : my.Buffer);
+    auto& receivers = my.WritesReceivers ? buffer.GetTarget() : buffer.GetReceivers();
+    program->SetUniformi("shadowReceivers", receivers.GetUnit());
+    program->SetUniformi("shadowBuffer", buffer.GetTarget().GetUnit());
   }
   // The rest is the same for all props of this frame.
   if (!my.UpToDatePrograms.insert(program).second)
@@ -298,15 +335,7 @@ bool vtkShadowPass::SetShaderParameters(
   int viewport[4];
   my.Window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   program->SetUniform2i("shadowOrigin", viewport);
-  if (my.ScreenSpace)
-  {
-    // Set while receivers are written too, or they would share a unit with the prop's own textures.
-    // The receivers themselves cannot be bound then.
-    auto& receivers = my.WritesReceivers ? my.Buffer.GetTarget() : my.Buffer.GetReceivers();
-    program->SetUniformi("shadowReceivers", receivers.GetUnit());
-    program->SetUniformi("shadowBuffer", my.Buffer.GetTarget().GetUnit());
-  }
-  else if (!my.WritesReceivers)
+  if (!my.ScreenSpace && !my.WritesReceivers)
   {
     this->SetVisibilityParameters(program);
   }

@@ -15,15 +15,19 @@ void Mark(std::string& fragmentShader);
 struct Code
 {
   std::string Declarations;
-  std::vector<int> LightOfSlot; // N of lightColorN to a casting light, or -1
-  bool Receivers = false;       // the shader can write receivers
-  bool Shading = false;         // the shader can multiply lights
+  std::vector<std::vector<int>> LightsOfSlot; // N of lightColorN to the parts of a casting light
+  bool Receivers = false;                     // the shader can write receivers
+  bool Shading = false;                       // the shader can multiply lights
 
   bool operator==(const Code& other) const;
 };
 
-/** Put the code at the marks, and multiply the lights' colours, once the mapper is done. */
-void Fill(std::string& fragmentShader, const Code& code);
+/**
+ * Put the code at the marks, and multiply the lights' colours, once the mapper is done.
+ * A catcher's lights are turned to their brightness, with and without shadow, in red and green, and its
+ * colour at the end to black of an alpha that tells their ratio.
+ */
+void Fill(std::string& fragmentShader, const Code& code, bool catches);
 
 /** The fragment shader that evaluates the technique's GLSL in screen space. */
 std::string GetEvaluation(const std::string& preamble, const std::string& visibilityGLSL);

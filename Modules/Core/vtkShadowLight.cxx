@@ -281,7 +281,7 @@ std::vector<vtkLightSample> vtkShadowLight::GetPlaces(int count, const glm::dvec
 bool vtkShadowLight::SameGeometry(const vtkShadowLight& other) const
 {
   return std::tie(this->Kind, this->Position, this->Direction, this->U, this->V, this->ConeAngle,
-           this->Emission,
-           this->EmissionTime) == std::tie(other.Kind, other.Position, other.Direction, other.U,
-                                    other.V, other.ConeAngle, other.Emission, other.EmissionTime);
+           this->Emission, this->EmissionTime, this->LeastOpacity) ==
+         std::tie(other.Kind, other.Position, other.Direction, other.U, other.V, other.ConeAngle,
+           other.Emission, other.EmissionTime, other.LeastOpacity);
 }

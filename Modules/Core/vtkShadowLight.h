@@ -55,6 +55,12 @@ struct VTKSOFTSHADOWSCORE_EXPORT vtkShadowLight
   double Attenuation = 1.0; // vtkLight::GetShadowAttenuation(): 1 is a black shadow
   vtkSmartPointer<vtkImageData> Emission;
   vtkMTimeType EmissionTime = 0;
+  /**
+   * Where translucent casters count by their opacity, a light comes in parts: each sees the casters
+   * of this opacity and more, and stands for this share of the light (see vtkShadowCasters).
+   */
+  double LeastOpacity = 0.0;
+  double Share = 1.0;
 
   bool IsDirectional() const { return this->Kind == Shape::Directional; }
   /** A light without size: one sample decides, and soft techniques take the hard path. */
@@ -77,7 +83,7 @@ struct VTKSOFTSHADOWSCORE_EXPORT vtkShadowLight
   static glm::dvec3 Perpendicular(const glm::dvec3& axis);
   /** Emission at a point of the unit square, 1 without a texture. */
   glm::dvec3 GetEmission(const glm::dvec2& unit) const;
-  /** Whether the place, form or emission is the same: then its light data can be reused. */
+  /** Whether place, form, emission and what it sees are the same: then its light data can be reused. */
   bool SameGeometry(const vtkShadowLight& other) const;
 
   /**

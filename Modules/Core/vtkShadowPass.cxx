@@ -7,6 +7,7 @@
 #include "vtkLightCollection.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
 #include "vtkOpenGLCamera.h"
 #include "vtkOpenGLError.h"
 #include "vtkOpenGLFramebufferObject.h"
@@ -22,6 +23,8 @@
 
 #include <algorithm>
 #include <cmath>
+
+vtkStandardNewMacro(vtkShadowCatcherMark);
 
 //------------------------------------------------------------------------------
 vtkShadowPass::vtkShadowPass()
@@ -53,7 +56,7 @@ void vtkShadowPass::Render(const vtkRenderState* s)
   my.Window->MakeCurrent();
   my.Timers.StartFrame();
   ++my.Frames;
-  my.BufferValid = false;
+  my.BufferValid = my.GlassValid = false;
   if (renderer->GetUseShadows())
   {
     this->WarnOnce("the renderer's UseShadows is switched off: this pass draws the shadows.");
@@ -61,6 +64,8 @@ void vtkShadowPass::Render(const vtkRenderState* s)
   }
 
   my.Props.assign(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
+  my.HasCatchers = std::any_of(my.Props.begin(), my.Props.end(),
+    [](vtkProp* prop) { return vtkShadowPass::GetShadowCatcher(prop); });
   if (s->GetFrameBuffer())
   {
     s->GetFrameBuffer()->GetLastSize(my.Size); // within another pass, which may have its own size
@@ -77,17 +82,20 @@ void vtkShadowPass::Render(const vtkRenderState* s)
   const bool debug = my.DebugView != "none";
   if (my.Active && (my.ScreenSpace || debug))
   {
-    this->EvaluateVisibility();
+    this->EvaluateVisibility(debug);
   }
 
   this->UpdateInjection(false);
   if (my.Active)
   {
     this->ActivateLightData(my.Frame);
-    if (my.ScreenSpace)
+    for (auto* buffer : { &my.Buffer, &my.Glass })
     {
-      my.Buffer.GetReceivers().Activate(my.Window);
-      my.Buffer.GetTarget().Activate(my.Window);
+      if (my.ScreenSpace && (buffer == &my.Buffer || my.GlassValid))
+      {
+        buffer->GetReceivers().Activate(my.Window);
+        buffer->GetTarget().Activate(my.Window);
+      }
     }
   }
   {
@@ -98,8 +106,11 @@ void vtkShadowPass::Render(const vtkRenderState* s)
   }
   if (my.Active)
   {
-    my.Buffer.GetReceivers().Deactivate(my.Window);
-    my.Buffer.GetTarget().Deactivate(my.Window);
+    for (auto* buffer : { &my.Buffer, &my.Glass })
+    {
+      buffer->GetReceivers().Deactivate(my.Window);
+      buffer->GetTarget().Deactivate(my.Window);
+    }
     if (debug)
     {
       this->DrawDebug();
@@ -170,7 +181,13 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
     return false;
   }
 
-  const bool changed = my.Casters.Update(renderer);
+  const std::string& rule = my.Values["translucent-casters"];
+  const bool changed = my.Casters.Update(renderer,
+    rule == "off"      ? vtkTranslucentCasters::Off
+    : rule == "opaque" ? vtkTranslucentCasters::Opaque
+                       : vtkTranslucentCasters::Weighted,
+    Internals::MaximumLights / static_cast<int>(frame.Lights.size()) - 1);
+  this->SplitLights();
   frame.Counts["casters"] = static_cast<double>(my.Casters.Get().size());
   frame.Counts["castersRebuilt"] = changed ? 1 : 0;
   frame.Counts["vertices"] = static_cast<double>(my.Casters.GetNumberOfVertices());
@@ -227,6 +244,29 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
+// A part of each light for each opacity of the casters, and one that only opaque ones hide.
+void vtkShadowPass::SplitLights()
+{
+  Internals& my = *this->Internal;
+  std::vector<vtkShadowLight> parts;
+  for (const auto& light : my.Frame.Lights)
+  {
+    double before = 0.0;
+    for (const double opacity : my.Casters.GetOpacities())
+    {
+      parts.push_back(light);
+      parts.back().LeastOpacity = opacity;
+      parts.back().Share = opacity - before;
+      before = opacity;
+    }
+    parts.push_back(light);
+    parts.back().LeastOpacity = 1.0;
+    parts.back().Share = 1.0 - before;
+  }
+  my.Frame.Lights = std::move(parts);
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowPass::MarkProps(bool mark)
 {
   Internals& my = *this->Internal;
@@ -237,6 +277,7 @@ void vtkShadowPass::MarkProps(bool mark)
     {
       vtkInformation* keys = prop->GetPropertyKeys();
       keys->Remove(vtkOpenGLRenderPass::RenderPasses(), this);
+      keys->Remove(vtkOpenGLRenderPass::RenderPasses(), my.CatcherMark);
       if (keys->Length(vtkOpenGLRenderPass::RenderPasses()) == 0)
       {
         keys->Remove(vtkOpenGLRenderPass::RenderPasses());
@@ -263,6 +304,10 @@ void vtkShadowPass::MarkProps(bool mark)
       }
     }
     keys->Append(vtkOpenGLRenderPass::RenderPasses(), this);
+    if (vtkShadowPass::GetShadowCatcher(prop))
+    {
+      keys->Append(vtkOpenGLRenderPass::RenderPasses(), my.CatcherMark);
+    }
     my.Marked.push_back(prop);
   };
   for (vtkProp* prop : my.Props)
@@ -383,9 +428,10 @@ void vtkShadowPass::ReleaseGraphicsResources(vtkWindow* window)
     my.Timers.Release();
     my.Casters.ReleaseGraphicsResources(glWindow);
     my.Buffer.Release(glWindow);
+    my.Glass.Release(glWindow);
     my.Quad.Release();
     this->ReleaseLightData(glWindow);
-    my.BufferValid = false;
+    my.BufferValid = my.GlassValid = false;
     my.Active = false;
   }
   if (my.Delegate)

@@ -16,13 +16,14 @@
  *   2. the technique builds its light data (kept while lights, casters and parameters are unchanged;
  *      a moving camera rebuilds nothing),
  *   3. where visibility is evaluated in screen space: draw the receivers' positions and normals,
- *      then V_i of each light,
+ *      then V_i of each light; both again for the nearest translucent surfaces, if there are any,
  *   4. the delegate draws what VTK draws, with V_i injected into each prop's fragment shader: from
  *      the technique's GLSL (forward) or from the buffer of stage 3,
  *   5. a debug view, if one is set.
  *
  * Textures: receivers RGBA32F, viewport size (position in VC, normal packed); visibility R32F or,
- * with a textured light, RGBA32F, viewport size, a layer each light; what the technique adds.
+ * with a textured light, RGBA32F, viewport size, a layer each light (each part of a light, where
+ * translucent casters count by their opacity); what the technique adds.
  *
  * Works on several renderers by several passes; one pass serves one renderer at a time.
  */
@@ -135,6 +136,20 @@ public:
 
   ///@{
   /**
+   * A shadow catcher is invisible but for the shadow on it: black, as opaque as the share of its
+   * light that is in shadow, times its property's opacity. It is translucent, so that it is blended
+   * over what lies behind, and casts nothing. A picture with alpha, to be laid over another, needs the
+   * renderer's depth peeling (VTK 9.1 writes a wrong alpha without). Default: none is. Kept in the
+   * prop's property keys (SHADOW_CATCHER). VTK draws it as an ordinary prop where there is no shadow
+   * pass.
+   */
+  static vtkInformationIntegerKey* SHADOW_CATCHER();
+  static void SetShadowCatcher(vtkProp* prop, bool catches);
+  static bool GetShadowCatcher(vtkProp* prop);
+  ///@}
+
+  ///@{
+  /**
    * Whether the technique runs in a window (its OpenGL version, and what else it needs). If not,
    * GetUnsupportedReason says why, and Render reports it once and draws without shadows.
    */
@@ -146,7 +161,8 @@ public:
   /**
    * Visibility of a light at the pixels of the last frame, as point data of an image the size of the
    * viewport: "Visibility", float, 1 component (3 for a textured light), 1 where nothing is seen;
-   * "Receiver", unsigned char, 1 where a surface is seen that is lit and receives, else 0.
+   * "Receiver", unsigned char, 1 where a surface is seen that is lit and receives, else 0. Translucent
+   * surfaces are seen through, but not shadow catchers.
    * The light is given by itself or by its place among the renderer's casting lights. A pass that
    * evaluates forward draws the receivers for it now, of the scene and camera as they are now; a light
    * that casts no shadow gives 1.
@@ -280,13 +296,15 @@ private:
   void Attach(vtkRenderer* renderer);
   void ReleaseWhenRemoved(vtkObject* caller, unsigned long event, void* data);
   bool PrepareShadows(vtkRenderer* renderer);
-  void EvaluateVisibility();
-  void RenderReceivers();
+  void SplitLights();
+  void EvaluateVisibility(bool withCatchers);
+  bool EvaluateReceivers(vtkVisibilityBuffer& buffer, bool translucent, bool withCatchers);
+  void RenderReceivers(vtkVisibilityBuffer& buffer, bool translucent, bool withCatchers);
   void UpdateInjection(bool writesReceivers);
   void MarkProps(bool mark);
   void RenderDelegate(const vtkRenderState* s);
   void DrawDebug();
-  vtkImageData* GetVisibilityOfLayer(int layer);
+  vtkImageData* GetVisibilityOfSlot(int slot);
 
   class Internals;
   std::unique_ptr<Internals> Internal;

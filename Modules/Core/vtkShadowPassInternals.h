@@ -24,6 +24,15 @@
 #include <set>
 #include <string>
 
+/** Draws nothing; see Internals::CatcherMark. */
+class vtkShadowCatcherMark : public vtkOpenGLRenderPass
+{
+public:
+  static vtkShadowCatcherMark* New();
+  vtkTypeMacro(vtkShadowCatcherMark, vtkOpenGLRenderPass);
+  void Render(const vtkRenderState*) override {}
+};
+
 class vtkShadowPass::Internals
 {
 public:
@@ -43,11 +52,15 @@ public:
   vtkShadowFrame Frame;
   vtkShadowCasters Casters;
   vtkVisibilityBuffer Buffer;
+  vtkVisibilityBuffer Glass;              // of the nearest translucent surfaces
+  vtkVisibilityBuffer* Written = nullptr; // whose receivers are being drawn
   vtkShadowTimers Timers;
   vtkShadowQuad Quad;
   std::vector<std::string> LightNotes; // how each light was treated
   bool Active = false;                 // shadows are drawn in this frame
   bool BufferValid = false;            // the buffer holds the last frame
+  bool GlassValid = false;
+  bool HasCatchers = false; // among the props
   bool ScreenSpace = false;
   bool WritesReceivers = false; // what is drawn now fills the receivers' buffer
   int Size[2] = { 0, 0 };
@@ -55,6 +68,9 @@ public:
   std::vector<vtkProp*> Marked; // these and their parts, while the pass is in their keys
   std::set<vtkShaderProgram*> UpToDatePrograms;
   unsigned long Frames = 0;
+
+  /** Stands in a catcher's keys, so that mappers make it a shader of its own. */
+  vtkNew<vtkShadowCatcherMark> CatcherMark;
 
   // What is injected; a change makes the mappers build their shaders anew.
   vtkShadowInjection::Code Injected;

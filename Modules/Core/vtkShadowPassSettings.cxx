@@ -22,6 +22,7 @@
 
 vtkInformationKeyMacro(vtkShadowPass, CASTS_SHADOW, Integer);
 vtkInformationKeyMacro(vtkShadowPass, RECEIVES_SHADOW, Integer);
+vtkInformationKeyMacro(vtkShadowPass, SHADOW_CATCHER, Integer);
 
 namespace
 {
@@ -103,6 +104,12 @@ const std::vector<vtkShadowParameter>& vtkShadowPass::GetCommonParameters()
       "Where visibility is evaluated: in each prop's shader (forward; keeps translucent receivers "
       "and several samples a pixel), or once a pixel into a buffer (screen); auto takes what the "
       "technique measured as the faster",
+      {} },
+    { "translucent-casters", Type::Choice, "off", 0, 0, { "off", "opaque", "weighted" }, "",
+      "Whether translucent props cast: not at all, as if they were opaque, or by their property's "
+      "(or "
+      "block's) opacity; of several in a row the most opaque counts. Weighted costs one evaluation "
+      "more for each opacity that occurs",
       {} },
   };
   return parameters;
@@ -350,6 +357,28 @@ bool vtkShadowPass::GetReceiving(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
+void vtkShadowPass::SetShadowCatcher(vtkProp* prop, bool catches)
+{
+  SetSwitch(prop, vtkShadowPass::SHADOW_CATCHER(), catches);
+  vtkShadowPass::ForEachPart(prop,
+    [catches](vtkProp* part, vtkMatrix4x4*)
+    {
+      if (auto* actor = vtkActor::SafeDownCast(part))
+      {
+        actor->SetForceTranslucent(catches); // it is blended over what lies behind
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::GetShadowCatcher(vtkProp* prop)
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  return keys && keys->Has(vtkShadowPass::SHADOW_CATCHER()) &&
+         keys->Get(vtkShadowPass::SHADOW_CATCHER()) != 0;
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowPass::SetLightCasting(vtkLight* light, bool casts)
 {
   if (!light->GetInformation())
@@ -455,8 +484,9 @@ std::string vtkShadowPass::GetStatistics()
   }
   const std::size_t casterBytes = my.Casters.GetGPUBytes();
   json["bytes"]["casters"] = casterBytes;
-  std::size_t total = casterBytes + my.Buffer.GetGPUBytes();
-  json["bytes"]["buffers"] = my.Buffer.GetGPUBytes();
+  const std::size_t bufferBytes = my.Buffer.GetGPUBytes() + my.Glass.GetGPUBytes();
+  std::size_t total = casterBytes + bufferBytes;
+  json["bytes"]["buffers"] = bufferBytes;
   for (const auto& entry : this->GetLightDataBytes())
   {
     json["bytes"][entry.first] = entry.second;

@@ -2,6 +2,9 @@
 
 #include "vtkActor.h"
 #include "vtkFloatArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkOpenGLActor.h"
 #include "vtkOpenGLState.h"
 #include "vtkPointData.h"
 #include "vtkPointGaussianMapper.h"
@@ -12,37 +15,56 @@
 #include "vtk_glew.h"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 
 //------------------------------------------------------------------------------
-void vtkShadowPass::EvaluateVisibility()
+void vtkShadowPass::EvaluateVisibility(bool withCatchers)
+{
+  Internals& my = *this->Internal;
+  my.BufferValid = this->EvaluateReceivers(my.Buffer, false, withCatchers);
+  const bool translucent =
+    my.ScreenSpace && std::any_of(my.Props.begin(), my.Props.end(),
+                        [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry(); });
+  my.GlassValid = translucent && my.Active && this->EvaluateReceivers(my.Glass, true, true);
+  if (!translucent)
+  {
+    my.Glass.Release(my.Window);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::EvaluateReceivers(
+  vtkVisibilityBuffer& buffer, bool translucent, bool withCatchers)
 {
   Internals& my = *this->Internal;
   vtkShadowFrame& frame = my.Frame;
-  if (!my.Buffer.Allocate(my.Window, my.Size[0], my.Size[1],
+  if (!buffer.Allocate(my.Window, my.Size[0], my.Size[1],
         std::max<int>(1, static_cast<int>(frame.Lights.size())), frame.Color))
   {
     this->ErrorOnce("no memory for the visibility of " + std::to_string(my.Size[0]) + " x " +
                     std::to_string(my.Size[1]) + " pixels; drawn without shadows.");
     my.Active = false;
-    return;
+    return false;
   }
   {
     vtkShadowTimers::Scope timer(my.Timers, "receivers");
-    this->RenderReceivers();
+    this->RenderReceivers(buffer, translucent, withCatchers);
   }
   if (my.Active)
   {
     vtkShadowTimers::Scope timer(my.Timers, "visibility");
-    my.Buffer.SetQuantity(my.Window, "");
+    buffer.SetQuantity(my.Window, "");
     this->ActivateLightData(frame);
-    this->FillVisibility(frame, my.Buffer);
+    this->FillVisibility(frame, buffer);
     this->DeactivateLightData(frame);
   }
-  my.BufferValid = true;
+  return true;
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowPass::RenderReceivers()
+void vtkShadowPass::RenderReceivers(
+  vtkVisibilityBuffer& buffer, bool translucent, bool withCatchers)
 {
   Internals& my = *this->Internal;
   vtkOpenGLState* state = my.Window->GetState();
@@ -50,20 +72,28 @@ void vtkShadowPass::RenderReceivers()
   vtkOpenGLState::ScopedglColorMask colorMask(state);
   vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
-  vtkShadowFramebuffer::Scope target(my.Window, my.Buffer.GetFramebuffer(),
-    &my.Buffer.GetReceivers(), &my.Buffer.GetReceiverDepth(), 0);
+  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  vtkShadowFramebuffer::Scope target(
+    my.Window, buffer.GetFramebuffer(), &buffer.GetReceivers(), &buffer.GetReceiverDepth(), 0);
   state->vtkglDepthMask(GL_TRUE);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglDepthFunc(GL_LEQUAL);
   state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_BLEND);
   const float nothing[] = { 0.0f, 0.0f, 0.0f, 0.0f };
   const float farthest = 1.0f;
   glClearBufferfv(GL_COLOR, 0, nothing);
   glClearBufferfv(GL_DEPTH, 0, &farthest);
 
   this->UpdateInjection(true);
-  my.Buffer.GetTarget().Activate(my.Window);
+  my.Written = &buffer;
+  buffer.GetTarget().Activate(my.Window);
   this->MarkProps(true);
+  for (vtkProp* prop : my.Marked)
+  {
+    // VTK does not write the depth of translucent props, but here the nearest counts.
+    prop->GetPropertyKeys()->Set(vtkOpenGLActor::GLDepthMaskOverride(), 1);
+  }
   for (vtkProp* prop : my.Props)
   {
     // What is drawn by others' shaders hides what lies behind it, and is no receiver. What glows is
@@ -78,14 +108,23 @@ void vtkShadowPass::RenderReceivers()
         ours = ours || actor;
         glows = glows || (points && points->GetEmissive());
       });
-    if (!glows)
+    state->vtkglColorMask(ours, ours, ours, ours);
+    if (!translucent && !glows)
     {
-      state->vtkglColorMask(ours, ours, ours, ours);
       prop->RenderOpaqueGeometry(my.Renderer);
     }
+    if (ours && (translucent || (withCatchers && vtkShadowPass::GetShadowCatcher(prop))) &&
+        prop->HasTranslucentPolygonalGeometry())
+    {
+      prop->RenderTranslucentPolygonalGeometry(my.Renderer);
+    }
+  }
+  for (vtkProp* prop : my.Marked)
+  {
+    prop->GetPropertyKeys()->Remove(vtkOpenGLActor::GLDepthMaskOverride());
   }
   this->MarkProps(false);
-  my.Buffer.GetTarget().Deactivate(my.Window);
+  buffer.GetTarget().Deactivate(my.Window);
 }
 
 //------------------------------------------------------------------------------
@@ -180,7 +219,17 @@ void vtkShadowPass::DrawDebug()
       program->SetUniformi("shadowReceivers", my.Buffer.GetReceivers().GetUnit());
       program->SetUniformi("shadowBuffer", my.Buffer.GetTarget().GetUnit());
       program->SetUniform2i("shadowOrigin", viewport);
-      program->SetUniformi("shadowLights", static_cast<int>(my.Frame.Lights.size()));
+      const int lights = static_cast<int>(my.Frame.Lights.size());
+      int slots[Internals::MaximumLights] = {};
+      float shares[Internals::MaximumLights] = {};
+      for (int i = 0; i < lights; ++i)
+      {
+        slots[i] = my.Frame.Lights[i].Slot;
+        shares[i] = static_cast<float>(my.Frame.Lights[i].Share);
+      }
+      program->SetUniformi("shadowLights", lights);
+      program->SetUniform1iv("shadowSlots", lights, slots);
+      program->SetUniform1fv("shadowShares", lights, shares);
       program->SetUniformi("shadowView", quantity.empty() ? (penumbra ? 1 : 0) : 2);
       program->SetUniformf("shadowScale", white > 0.0 ? static_cast<float>(1.0 / white) : 0.0f);
     });
@@ -192,26 +241,30 @@ void vtkShadowPass::DrawDebug()
 //------------------------------------------------------------------------------
 vtkImageData* vtkShadowPass::GetVisibility(vtkLight* light)
 {
-  Internals& my = *this->Internal;
-  for (std::size_t i = 0; i < my.Frame.Lights.size(); ++i)
+  for (const auto& part : this->Internal->Frame.Lights)
   {
-    if (my.Frame.Lights[i].Light == light)
+    if (part.Light == light)
     {
-      return this->GetVisibilityOfLayer(static_cast<int>(i));
+      return this->GetVisibilityOfSlot(part.Slot);
     }
   }
-  return this->GetVisibilityOfLayer(-1);
+  return this->GetVisibilityOfSlot(-1);
 }
 
 //------------------------------------------------------------------------------
 vtkImageData* vtkShadowPass::GetVisibility(int light)
 {
-  return this->GetVisibilityOfLayer(
-    light >= 0 && light < static_cast<int>(this->Internal->Frame.Lights.size()) ? light : -1);
+  std::set<int> slots;
+  for (const auto& part : this->Internal->Frame.Lights)
+  {
+    slots.insert(part.Slot);
+  }
+  const bool known = light >= 0 && light < static_cast<int>(slots.size());
+  return this->GetVisibilityOfSlot(known ? *std::next(slots.begin(), light) : -1);
 }
 
 //------------------------------------------------------------------------------
-vtkImageData* vtkShadowPass::GetVisibilityOfLayer(int layer)
+vtkImageData* vtkShadowPass::GetVisibilityOfSlot(int slot)
 {
   Internals& my = *this->Internal;
   if (!my.Window || !my.Renderer || !my.Holding)
@@ -220,12 +273,12 @@ vtkImageData* vtkShadowPass::GetVisibilityOfLayer(int layer)
     return nullptr;
   }
   my.Window->MakeCurrent();
-  if (!my.BufferValid)
+  if (!my.BufferValid || my.HasCatchers)
   {
     vtkOpenGLState* state = my.Window->GetState();
     state->Push();
     my.Active = this->PrepareShadows(my.Renderer);
-    this->EvaluateVisibility();
+    this->EvaluateVisibility(true);
     state->Pop();
   }
   if (!my.BufferValid)
@@ -238,25 +291,33 @@ vtkImageData* vtkShadowPass::GetVisibilityOfLayer(int layer)
   const int components = stored == 1 ? 1 : 3;
   const vtkIdType pixels = static_cast<vtkIdType>(width) * height;
   const auto receivers = my.Buffer.ReadReceivers(my.Window);
-  const bool shadowed = my.Active && layer >= 0;
-  const auto values = shadowed ? my.Buffer.ReadTarget(my.Window, layer) : std::vector<float>();
 
   vtkNew<vtkFloatArray> visibility;
   visibility->SetName("Visibility");
   visibility->SetNumberOfComponents(components);
   visibility->SetNumberOfTuples(pixels);
+  visibility->Fill(1.0);
+  for (std::size_t part = 0; my.Active && part < my.Frame.Lights.size(); ++part)
+  {
+    const float share = static_cast<float>(my.Frame.Lights[part].Share);
+    if (my.Frame.Lights[part].Slot == slot)
+    {
+      const auto values = my.Buffer.ReadTarget(my.Window, static_cast<int>(part));
+      float* sum = visibility->GetPointer(0);
+      for (vtkIdType i = 0; i < pixels * components; ++i)
+      {
+        // Sums of weights come to 1 but for rounding.
+        const float value = values[i / components * stored + i % components];
+        sum[i] -= share * (1.0f - std::clamp(value, 0.0f, 1.0f));
+      }
+    }
+  }
   vtkNew<vtkUnsignedCharArray> mask;
   mask->SetName("Receiver");
   mask->SetNumberOfTuples(pixels);
   for (vtkIdType i = 0; i < pixels; ++i)
   {
     mask->SetValue(i, receivers[i].w != 0.0f);
-    for (int c = 0; c < components; ++c)
-    {
-      // Sums of weights come to 1 but for rounding.
-      visibility->SetComponent(
-        i, c, shadowed ? std::clamp(values[i * stored + c], 0.0f, 1.0f) : 1.0f);
-    }
   }
   my.VisibilityImage->Initialize();
   my.VisibilityImage->SetDimensions(width, height, 1);

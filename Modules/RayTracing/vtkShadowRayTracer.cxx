@@ -82,7 +82,7 @@ public:
   };
 
   RTCDevice Device = nullptr;
-  RTCScene Scene = nullptr;
+  std::map<double, RTCScene> Scenes; // of casters of this opacity and more
   std::string Error;
   std::map<std::shared_ptr<const vtkShadowMesh>, MeshScene> Meshes;
 
@@ -102,17 +102,17 @@ public:
     return scene;
   }
 
-  void ReleaseScene()
+  void ReleaseScenes()
   {
-    if (this->Scene)
+    for (auto& entry : this->Scenes)
     {
-      rtcReleaseScene(this->Scene);
-      this->Scene = nullptr;
+      rtcReleaseScene(entry.second);
     }
+    this->Scenes.clear();
   }
 
   /** Visibility of one receiver. */
-  glm::dvec3 TracePixel(const vtkShadowLight& light, const glm::dvec3& place,
+  glm::dvec3 TracePixel(RTCScene scene, const vtkShadowLight& light, const glm::dvec3& place,
     const Receiver& receiver, const Patterns& patterns) const;
 };
 
@@ -147,7 +147,7 @@ const std::string& vtkShadowRayTracer::GetError() const
 //------------------------------------------------------------------------------
 void vtkShadowRayTracer::Clear()
 {
-  this->Internal->ReleaseScene();
+  this->Internal->ReleaseScenes();
   for (auto& entry : this->Internal->Meshes)
   {
     rtcReleaseScene(entry.second.Scene);
@@ -160,9 +160,14 @@ int vtkShadowRayTracer::Update(const vtkShadowCasters& casters)
 {
   Internals& my = *this->Internal;
   int built = 0;
-  my.ReleaseScene();
-  my.Scene = rtcNewScene(my.Device);
-  rtcSetSceneFlags(my.Scene, RTC_SCENE_FLAG_ROBUST);
+  my.ReleaseScenes();
+  std::vector<double> opacities = casters.GetOpacities();
+  opacities.push_back(1.0);
+  for (const double opacity : opacities)
+  {
+    my.Scenes[opacity] = rtcNewScene(my.Device);
+    rtcSetSceneFlags(my.Scenes[opacity], RTC_SCENE_FLAG_ROBUST);
+  }
   for (auto& entry : my.Meshes)
   {
     entry.second.Used = false;
@@ -185,10 +190,19 @@ int vtkShadowRayTracer::Update(const vtkShadowCasters& casters)
     const glm::mat4 matrix(caster.MeshToWC);
     rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, glm::value_ptr(matrix));
     rtcCommitGeometry(instance);
-    rtcAttachGeometry(my.Scene, instance);
+    for (auto& entry : my.Scenes)
+    {
+      if (caster.Opacity >= entry.first)
+      {
+        rtcAttachGeometry(entry.second, instance);
+      }
+    }
     rtcReleaseGeometry(instance);
   }
-  rtcCommitScene(my.Scene);
+  for (auto& entry : my.Scenes)
+  {
+    rtcCommitScene(entry.second);
+  }
   for (auto entry = my.Meshes.begin(); entry != my.Meshes.end();)
   {
     if (entry->second.Used)
@@ -203,7 +217,7 @@ int vtkShadowRayTracer::Update(const vtkShadowCasters& casters)
 }
 
 //------------------------------------------------------------------------------
-glm::dvec3 vtkShadowRayTracer::Internals::TracePixel(const vtkShadowLight& light,
+glm::dvec3 vtkShadowRayTracer::Internals::TracePixel(RTCScene scene, const vtkShadowLight& light,
   const glm::dvec3& place, const Receiver& receiver, const Patterns& patterns) const
 {
   const std::uint32_t hash =
@@ -266,7 +280,7 @@ glm::dvec3 vtkShadowRayTracer::Internals::TracePixel(const vtkShadowLight& light
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    rtcOccluded8(valid, this->Scene, &context, &rays);
+    rtcOccluded8(valid, scene, &context, &rays);
     for (int i = 0; i < count; ++i)
     {
       if (rays.tfar[i] >= 0.0f)
@@ -314,6 +328,7 @@ double vtkShadowRayTracer::Trace(const vtkShadowLight& light, const glm::dvec3& 
   std::vector<float>& visibility) const
 {
   const Internals& my = *this->Internal;
+  RTCScene scene = my.Scenes.lower_bound(light.LeastOpacity)->second; // that of 1 is always there
   const Patterns patterns(light, light.IsPoint() ? 1 : samples);
   const glm::dvec3 place = light.IsDirectional() ? -light.Direction : light.Position - origin;
   std::atomic<std::size_t> traced{ 0 };
@@ -326,7 +341,7 @@ double vtkShadowRayTracer::Trace(const vtkShadowLight& light, const glm::dvec3& 
       glm::dvec3 visible(0.0);
       if (vtkShadowRayTracer::NeedsRays(light, origin, receiver))
       {
-        visible = my.TracePixel(light, place, receiver, patterns);
+        visible = my.TracePixel(scene, light, place, receiver, patterns);
         ++pixels;
       }
       float* target = &visibility[static_cast<std::size_t>(components) * receiver.Pixel];

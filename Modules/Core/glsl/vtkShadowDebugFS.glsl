@@ -8,6 +8,8 @@ uniform sampler2DArray shadowReceivers;
 uniform sampler2DArray shadowBuffer;
 uniform ivec2 shadowOrigin;
 uniform int shadowLights;
+uniform int shadowSlots[16]; // parts of one light have the same, and come one after another
+uniform float shadowShares[16];
 uniform int shadowView; // 0 visibility, 1 penumbra, 2 a quantity, such as the cost
 uniform float shadowScale; // of the quantity: its white is 1
 
@@ -15,11 +17,14 @@ void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy) - shadowOrigin;
   vec3 visibility = vec3(1.0);
+  vec3 ofLight = vec3(1.0);
   float most = 0.0;
   for (int i = 0; i < shadowLights; ++i)
   {
     vec4 texel = texelFetch(shadowBuffer, ivec3(pixel, i), 0);
-    visibility = min(visibility, SHADOW_DEBUG_SWIZZLE);
+    ofLight = i > 0 && shadowSlots[i] == shadowSlots[i - 1] ? ofLight : vec3(1.0);
+    ofLight -= shadowShares[i] * (1.0 - SHADOW_DEBUG_SWIZZLE);
+    visibility = min(visibility, ofLight);
     most = max(most, texel.r);
   }
   bool receiver = texelFetch(shadowReceivers, ivec3(pixel, 0), 0).w != 0.0;
