@@ -20,7 +20,7 @@
 #include "vtkShadowCasterFS.h"
 #include "vtkShadowCasterVS.h"
 #include "vtkShadowPass.h"
-#include "vtk_glew.h"
+#include "vtkShadowVTKVersion.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
