@@ -6,13 +6,14 @@ if (SOFTSHADOWS_WRAP_PYTHON)
   find_package(Python3 REQUIRED COMPONENTS Interpreter Development)
 endif ()
 
+# OpenGL's functions come with RenderingOpenGL2, from glew or, since VTK 9.4, glad.
 set(softshadows_vtk_components
   ChartsCore CommonColor CommonComputationalGeometry CommonCore CommonDataModel
   CommonExecutionModel CommonMath CommonSystem CommonTransforms FiltersCore FiltersFlowPaths
   FiltersGeneral FiltersGeometry FiltersModeling FiltersSources ImagingCore ImagingHybrid
   InteractionStyle IOGeometry IOImage IOImport IOLegacy IOPLY IOXML RenderingAnnotation
   RenderingCore RenderingFreeType RenderingLOD RenderingOpenGL2
-  RenderingVolume RenderingVolumeOpenGL2 TestingCore TestingRendering glew opengl)
+  RenderingVolume RenderingVolumeOpenGL2 TestingCore TestingRendering)
 if (SOFTSHADOWS_WRAP_PYTHON)
   list(APPEND softshadows_vtk_components Python WrappingPythonCore WrapPython)
 endif ()

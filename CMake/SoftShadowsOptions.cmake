@@ -54,6 +54,11 @@ set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
 
 # Warnings for our own sources; wrapping sources that VTK generates are not ours.
 function (softshadows_warnings target)
+  # A module is given by its alias: the target behind it is named after the library since VTK 9.7.
+  get_target_property(aliased "${target}" ALIASED_TARGET)
+  if (aliased)
+    set(target "${aliased}")
+  endif ()
   target_compile_options("${target}" PRIVATE
     $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>
     $<$<CXX_COMPILER_ID:GNU,Clang>:-Wall -Wextra -Wno-unused-parameter>)

@@ -18,7 +18,7 @@
 #include "vtkPolyDataNormals.h"
 #include "vtkQuadricDecimation.h"
 #include "vtkRenderer.h"
-#include "vtkVectorOperators.h"
+#include "vtkShadowVTKVersion.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
 

@@ -15,11 +15,11 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkShadowVTKVersion.h"
 #include "vtkStreamTracer.h"
 #include "vtkTriangleFilter.h"
 #include "vtkTubeFilter.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkVectorOperators.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkVectorOperators.h"
+#include "vtkShadowVTKVersion.h"
 
 #include <algorithm>
 #include <cmath>

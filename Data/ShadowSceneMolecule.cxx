@@ -4,7 +4,7 @@
 #include "ShadowSceneStage.h"
 
 #include "vtkMath.h"
-#include "vtkVectorOperators.h"
+#include "vtkShadowVTKVersion.h"
 
 #include <cmath>
 #include <vector>

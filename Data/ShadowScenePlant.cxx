@@ -6,7 +6,7 @@
 
 #include "vtkMath.h"
 #include "vtkRenderer.h"
-#include "vtkVectorOperators.h"
+#include "vtkShadowVTKVersion.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include "ShadowSceneStage.h"
 
 #include "vtkMath.h"
-#include "vtkVectorOperators.h"
+#include "vtkShadowVTKVersion.h"
 
 #include <algorithm>
 #include <cmath>

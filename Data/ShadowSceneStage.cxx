@@ -18,7 +18,7 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
-#include "vtkVectorOperators.h"
+#include "vtkShadowVTKVersion.h"
 
 #include <algorithm>
 #include <cmath>

@@ -12,7 +12,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
-#include "vtkVectorOperators.h"
+#include "vtkShadowVTKVersion.h"
 
 #include <nlohmann/json.hpp>
 

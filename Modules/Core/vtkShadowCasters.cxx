@@ -15,7 +15,7 @@
 #include "vtkShadowCasterVS.h"
 #include "vtkShadowPass.h"
 #include "vtkShadowSurfaces.h"
-#include "vtk_glew.h"
+#include "vtkShadowVTKVersion.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>

@@ -6,7 +6,7 @@
 #include "vtkShadowDepthPyramidFS.h"
 #include "vtkShadowDepthRangeFS.h"
 #include "vtkShadowFrame.h"
-#include "vtk_glew.h"
+#include "vtkShadowVTKVersion.h"
 
 //------------------------------------------------------------------------------
 bool vtkShadowDepthPyramid::Allocate(vtkOpenGLRenderWindow* window, const vtkShadowTexture& maps)

@@ -5,8 +5,8 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkShadowQuadVS.h"
+#include "vtkShadowVTKVersion.h"
 #include "vtkTextureUnitManager.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 
@@ -384,7 +384,7 @@ vtkShadowTimers::Scope::Scope(vtkShadowTimers& timers, const char* stage)
   : Timers(timers)
   , Index(timers.Spans.size())
 {
-  if (!GLEW_VERSION_3_3 && !GLEW_ARB_timer_query)
+  if (!VTK_SHADOW_HAS_GL(VERSION_3_3) && !VTK_SHADOW_HAS_GL(ARB_timer_query))
   {
     return; // no times then
   }

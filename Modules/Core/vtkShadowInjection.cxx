@@ -11,7 +11,7 @@
 #include "vtkShadowInjectFS.h"
 #include "vtkShadowLightsFS.h"
 #include "vtkShadowPassInternals.h"
-#include "vtk_glew.h"
+#include "vtkShadowVTKVersion.h"
 
 #include <glm/gtc/type_ptr.hpp>
 

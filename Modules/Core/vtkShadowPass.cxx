@@ -16,7 +16,7 @@
 #include "vtkRenderState.h"
 #include "vtkShadowInjection.h"
 #include "vtkShadowPassInternals.h"
-#include "vtk_glew.h"
+#include "vtkShadowVTKVersion.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>

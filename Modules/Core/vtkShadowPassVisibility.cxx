@@ -11,8 +11,8 @@
 #include "vtkShaderProgram.h"
 #include "vtkShadowDebugFS.h"
 #include "vtkShadowPassInternals.h"
+#include "vtkShadowVTKVersion.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <iterator>

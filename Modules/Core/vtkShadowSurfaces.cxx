@@ -5,7 +5,6 @@
 #include "vtkCellArray.h"
 #include "vtkClipPolyData.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkCompositePolyDataMapper2.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeRange.h"
 #include "vtkGlyph3DMapper.h"
@@ -21,6 +20,7 @@
 #include "vtkProperty.h"
 #include "vtkShadowGlyphs.h"
 #include "vtkShadowMesh.h"
+#include "vtkShadowVTKVersion.h"
 #include "vtkTexture.h"
 
 #include <array>
@@ -81,7 +81,7 @@ void HandOn(vtkShadowSurface& surface, vtkMapper* mapper, vtkMatrix4x4* matrix,
   function(surface);
 }
 
-/** What a block takes from the blocks it lies in, as vtkCompositePolyDataMapper2 has it. */
+/** What a block takes from the blocks it lies in, as the composite mapper has it. */
 struct BlockState
 {
   double Opacity;
@@ -147,7 +147,7 @@ void ForEachSurfaceOfActor(vtkActor* actor, vtkMatrix4x4* matrix, const Function
   {
     return;
   }
-  auto* composite = vtkCompositePolyDataMapper2::SafeDownCast(mapper);
+  auto* composite = vtkShadowCompositeMapper::SafeDownCast(mapper);
   auto* attributes = composite ? composite->GetCompositeDataDisplayAttributes() : nullptr;
   const bool blocksAreTranslucent = attributes && attributes->HasBlockOpacities();
   const BlockState state{ surface.Opacity,

@@ -2,7 +2,7 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtk_glew.h"
+#include "vtkShadowVTKVersion.h"
 
 //------------------------------------------------------------------------------
 bool vtkVisibilityBuffer::Allocate(

@@ -13,7 +13,7 @@
 #include "vtkShadowCasters.h"
 #include "vtkShadowFrame.h"
 #include "vtkShadowPlanes.h"
-#include "vtk_glew.h"
+#include "vtkShadowVTKVersion.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>

@@ -8,7 +8,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkShadowFrame.h"
 #include "vtkShadowPlanes.h"
-#include "vtk_glew.h"
+#include "vtkShadowVTKVersion.h"
 
 #include <algorithm>
 #include <cmath>

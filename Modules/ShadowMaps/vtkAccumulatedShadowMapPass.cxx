@@ -5,8 +5,8 @@
 #include "vtkOpenGLState.h"
 #include "vtkShadowFrame.h"
 #include "vtkShadowMaps.h"
+#include "vtkShadowVTKVersion.h"
 #include "vtkVisibilityBuffer.h"
-#include "vtk_glew.h"
 
 vtkStandardNewMacro(vtkAccumulatedShadowMapPass);
 

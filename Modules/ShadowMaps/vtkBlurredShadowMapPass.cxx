@@ -11,8 +11,8 @@
 #include "vtkShadowGL.h"
 #include "vtkShadowMapPattern.h"
 #include "vtkShadowMaps.h"
+#include "vtkShadowVTKVersion.h"
 #include "vtkVisibilityBuffer.h"
-#include "vtk_glew.h"
 
 #include <glm/trigonometric.hpp>
 

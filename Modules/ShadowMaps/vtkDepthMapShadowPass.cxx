@@ -7,7 +7,7 @@
 #include "vtkShadowMapViewFS.h"
 #include "vtkShadowMaps.h"
 #include "vtkShadowMapsFS.h"
-#include "vtk_glew.h"
+#include "vtkShadowVTKVersion.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include "vtkShadowMapKernelFS.h"
 #include "vtkShadowMapPattern.h"
 #include "vtkShadowMaps.h"
-#include "vtk_glew.h"
+#include "vtkShadowVTKVersion.h"
 
 //------------------------------------------------------------------------------
 vtkFilteredShadowMapPass::vtkFilteredShadowMapPass()
@@ -24,7 +24,7 @@ vtkFilteredShadowMapPass::~vtkFilteredShadowMapPass()
 //------------------------------------------------------------------------------
 std::string vtkFilteredShadowMapPass::FindUnsupported(vtkRenderWindow*)
 {
-  return GLEW_VERSION_3_3 || GLEW_ARB_sampler_objects
+  return VTK_SHADOW_HAS_GL(VERSION_3_3) || VTK_SHADOW_HAS_GL(ARB_sampler_objects)
            ? ""
            : "OpenGL 3.3 is needed, or ARB_sampler_objects";
 }

@@ -8,7 +8,7 @@
 #include "vtkShadowMapMidpointFS.h"
 #include "vtkShadowMapPeelFS.h"
 #include "vtkShadowMapViewsFS.h"
-#include "vtk_glew.h"
+#include "vtkShadowVTKVersion.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -5,10 +5,10 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkShadowFrame.h"
+#include "vtkShadowVTKVersion.h"
 #include "vtkShadowVolumeSurfaceFS.h"
 #include "vtkShadowVolumes.h"
 #include "vtkVisibilityBuffer.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 

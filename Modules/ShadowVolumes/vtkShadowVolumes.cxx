@@ -7,7 +7,7 @@
 #include "vtkPlaneCollection.h"
 #include "vtkProperty.h"
 #include "vtkShadowFrame.h"
-#include "vtk_glew.h"
+#include "vtkShadowVTKVersion.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
@@ -164,7 +164,7 @@ void vtkShadowVolumes::Update(vtkShadowFrame& frame, const vtkShadowVolumeSettin
   }
   this->DepthRow = this->Parallel ? 0.5 * (this->WRow - glm::row(frame.VCToClip, 2))
                                   : glm::dvec4(0.0, 0.0, 0.0, nearest);
-  this->ClipControl = GLEW_ARB_clip_control || GLEW_VERSION_4_5;
+  this->ClipControl = VTK_SHADOW_HAS_GL(ARB_clip_control) || VTK_SHADOW_HAS_GL(VERSION_4_5);
   const glm::dmat4 VCToDraw = glm::row(
     frame.VCToClip, 2, this->ClipControl ? this->DepthRow : 2.0 * this->DepthRow - this->WRow);
   this->WCToDraw = VCToDraw * frame.GetWCToVC();

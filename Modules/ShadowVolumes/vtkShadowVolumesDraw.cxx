@@ -4,6 +4,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkShadowFrame.h"
+#include "vtkShadowVTKVersion.h"
 #include "vtkShadowVolumeCapVS.h"
 #include "vtkShadowVolumeCountFS.h"
 #include "vtkShadowVolumeDepthFS.h"
@@ -12,7 +13,6 @@
 #include "vtkShadowVolumeViewFS.h"
 #include "vtkShadowVolumes.h"
 #include "vtkVisibilityBuffer.h"
-#include "vtk_glew.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>

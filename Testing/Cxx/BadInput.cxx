@@ -8,7 +8,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkShadowTechniques.h"
-#include "vtk_glew.h"
+#include "vtkShadowVTKVersion.h"
 
 #include <algorithm>
 #include <cmath>

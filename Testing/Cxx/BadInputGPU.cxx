@@ -3,7 +3,7 @@
 #include "ShadowStage.h"
 #include "ShadowTest.h"
 
-#include "vtk_glew.h"
+#include "vtkShadowVTKVersion.h"
 
 #include <algorithm>
 #include <dlfcn.h>
@@ -29,19 +29,48 @@ void Build(ShadowStage& stage, const std::string& technique)
   stage.AddLight(
     ShadowStage::Supports(technique, LightKind::Sphere) ? LightKind::Sphere : LightKind::Point);
 }
+
+void Limit(GLenum name, GLint* value)
+{
+  if (name == GL_MAX_TEXTURE_SIZE && LargestTexture > 0)
+  {
+    *value = LargestTexture;
+  }
 }
 
+#ifdef glGetIntegerv
+// With glad it is a pointer like the rest, which each new window sets to OpenGL's again.
+PFNGLGETINTEGERVPROC GetIntegerv = nullptr;
+
+void GLAPIENTRY LimitGetIntegerv(GLenum name, GLint* value)
+{
+  GetIntegerv(name, value);
+  Limit(name, value);
+}
+
+void UseLimit()
+{
+  if (glGetIntegerv != LimitGetIntegerv)
+  {
+    GetIntegerv = glGetIntegerv;
+    glGetIntegerv = LimitGetIntegerv;
+  }
+}
+#else
+void UseLimit() {}
+#endif
+}
+
+#ifndef glGetIntegerv
 /** In the place of OpenGL's, for all libraries of this program. */
 extern "C" __attribute__((visibility("default"))) void glGetIntegerv(GLenum name, GLint* value)
 {
   using Function = void (*)(GLenum, GLint*);
   static const auto original = reinterpret_cast<Function>(dlsym(RTLD_NEXT, "glGetIntegerv"));
   original(name, value);
-  if (name == GL_MAX_TEXTURE_SIZE && LargestTexture > 0)
-  {
-    *value = LargestTexture;
-  }
+  Limit(name, value);
 }
+#endif
 
 //------------------------------------------------------------------------------
 // A map larger than the GPU allows: one warning, in however many frames, that tells both sizes; the
@@ -56,6 +85,7 @@ SHADOW_TEST(BadInput, ResolutionTooLarge, Each)
     technique, { { "resolution", "300" } }, [&](ShadowStage& stage) { Build(stage, technique); });
   LargestTexture = 300;
   ShadowStage stage;
+  UseLimit();
   Build(stage, technique);
   stage.SetPass(technique, { { "resolution", "4000" } });
   stage.Render();

@@ -4,7 +4,7 @@
 #include "ShadowTest.h"
 
 #include "vtkObject.h"
-#include "vtk_glew.h"
+#include "vtkShadowVTKVersion.h"
 
 #include <cmath>
 #include <limits>

@@ -5,7 +5,6 @@
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkCompositePolyDataMapper2.h"
 #include "vtkConeSource.h"
 #include "vtkCubeSource.h"
 #include "vtkFixedPointVolumeRayCastMapper.h"
@@ -32,6 +31,7 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkPropAssembly.h"
 #include "vtkProperty.h"
+#include "vtkShadowVTKVersion.h"
 #include "vtkSphereSource.h"
 #include "vtkTexture.h"
 #include "vtkVolume.h"
@@ -204,7 +204,7 @@ void AddBlocks(ShadowStage& stage, const glm::dvec3& centre)
   blocks->SetBlock(0, MakeCube(centre - glm::dvec3(0.4, 0.0, 0.0), glm::dvec3(0.3, 0.5, 0.2)));
   blocks->SetBlock(1, MakeCube(centre, glm::dvec3(0.25, 0.3, 0.9)));
   blocks->SetBlock(2, branch);
-  vtkNew<vtkCompositePolyDataMapper2> mapper;
+  vtkNew<vtkShadowCompositeMapper> mapper;
   mapper->SetInputDataObject(blocks);
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
   attributes->SetBlockVisibility(blocks->GetBlock(1), false);

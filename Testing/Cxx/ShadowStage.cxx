@@ -13,10 +13,10 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkShadowTechniques.h"
+#include "vtkShadowVTKVersion.h"
 #include "vtkSphereSource.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkWindowToImageFilter.h"
-#include "vtk_glew.h"
 
 #include <glm/geometric.hpp>
 
