@@ -6,10 +6,15 @@
 
 #include "vtkAreaLight.h"
 #include "vtkCamera.h"
+#include "vtkCameraPass.h"
 #include "vtkLightCollection.h"
 #include "vtkNew.h"
+#include "vtkRenderPassCollection.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSequencePass.h"
+#include "vtkShadowMapBakerPass.h"
+#include "vtkShadowMapPass.h"
 #include "vtkShadowPass.h"
 #include "vtkShadowScenes.h"
 #include "vtkShadowTechniques.h"
@@ -18,6 +23,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -33,9 +39,17 @@ struct Contestant
   std::vector<double> Moving;      // for which the light moved
 
   Contestant(const std::string& name, const std::string& scene, int size, vtkRenderPass* pass)
+    : Contestant(
+        name, [&scene](vtkRenderer* renderer) { vtkShadowScenes::Build(scene, renderer); }, size,
+        pass)
+  {
+  }
+
+  Contestant(const std::string& name, const std::function<void(vtkRenderer*)>& build, int size,
+    vtkRenderPass* pass)
     : Name(name)
   {
-    vtkShadowScenes::Build(scene, this->Renderer);
+    build(this->Renderer);
     this->Light = vtkLight::SafeDownCast(this->Renderer->GetLights()->GetItemAsObject(0));
     this->Window->SetOffScreenRendering(1);
     this->Window->SetMultiSamples(0);
@@ -101,6 +115,21 @@ inline vtkSmartPointer<vtkShadowPass> MakePass(
     pass->SetParameter(parameter.first, parameter.second);
   }
   return pass;
+}
+
+/** VTK's own shadows. */
+inline vtkSmartPointer<vtkRenderPass> MakeVTKPass(int resolution)
+{
+  vtkNew<vtkShadowMapPass> shadows;
+  shadows->GetShadowMapBakerPass()->SetResolution(resolution);
+  vtkNew<vtkRenderPassCollection> passes;
+  passes->AddItem(shadows->GetShadowMapBakerPass());
+  passes->AddItem(shadows);
+  vtkNew<vtkSequencePass> sequence;
+  sequence->SetPasses(passes);
+  vtkNew<vtkCameraPass> camera;
+  camera->SetDelegatePass(sequence);
+  return camera.Get();
 }
 
 inline double Median(std::vector<double> values)

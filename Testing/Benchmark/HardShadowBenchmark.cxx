@@ -9,12 +9,7 @@
 
 #include "Contestant.h"
 
-#include "vtkCameraPass.h"
 #include "vtkLightCollection.h"
-#include "vtkRenderPassCollection.h"
-#include "vtkSequencePass.h"
-#include "vtkShadowMapBakerPass.h"
-#include "vtkShadowMapPass.h"
 
 #include <array>
 #include <cmath>
@@ -26,20 +21,6 @@
 namespace
 {
 constexpr int Resolution = 1024;
-
-vtkSmartPointer<vtkRenderPass> MakeVTKPass()
-{
-  vtkNew<vtkShadowMapPass> shadows;
-  shadows->GetShadowMapBakerPass()->SetResolution(Resolution);
-  vtkNew<vtkRenderPassCollection> passes;
-  passes->AddItem(shadows->GetShadowMapBakerPass());
-  passes->AddItem(shadows);
-  vtkNew<vtkSequencePass> sequence;
-  sequence->SetPasses(passes);
-  vtkNew<vtkCameraPass> camera;
-  camera->SetDelegatePass(sequence);
-  return camera.Get();
-}
 
 double RMSE(const std::vector<unsigned char>& a, const std::vector<unsigned char>& b)
 {
@@ -104,7 +85,7 @@ std::vector<std::array<double, 2>> Report(const std::vector<Contestant*>& timed)
 void Run(const std::string& scene, int size, int frames)
 {
   Contestant none("no shadows", scene, size, nullptr);
-  const auto vtkPass = MakeVTKPass();
+  const auto vtkPass = MakeVTKPass(Resolution);
   const auto ourPass = MakePass("map-hard", { { "resolution", std::to_string(Resolution) } });
   const auto referencePass = MakePass("ray-traced", { { "samples", "1" } });
   Contestant vtkOwn("vtkShadowMapPass", scene, size, vtkPass);
