@@ -128,6 +128,12 @@ void vtkShadowInjection::Fill(std::string& source, const Code& code, bool catche
     if (code.Shading)
     {
       body += "  float shadowFootprint = 4.0 * (length(shadowDxVC) + length(shadowDyVC));\n";
+      body += "  SHADOW_VISIBILITY shadowFactors[SHADOW_LIGHTS];\n"
+              "  for (int shadowI = 0; shadowI < SHADOW_LIGHTS_HERE; ++shadowI)\n"
+              "  {\n"
+              "    shadowFactors[shadowI] = shadowFactor(shadowI, vertexVC.xyz, shadowNormalVC, "
+              "shadowFootprint);\n"
+              "  }\n";
     }
     for (std::size_t slot = 0; slot < code.LightsOfSlot.size(); ++slot)
     {
@@ -137,9 +143,8 @@ void vtkShadowInjection::Fill(std::string& source, const Code& code, bool catche
         std::string factor;
         for (const int light : code.LightsOfSlot[slot])
         {
-          factor += (factor.empty() ? "" : " - 1.0 + ") +
-                    ("shadowFactor(" + std::to_string(light)) +
-                    ", vertexVC.xyz, shadowNormalVC, shadowFootprint)";
+          factor +=
+            (factor.empty() ? "" : " - 1.0 + ") + ("shadowFactors[" + std::to_string(light)) + "]";
         }
         body += "  SHADOW_VISIBILITY shadowFactor" + std::to_string(slot) + " = " + factor + ";\n";
       }
@@ -302,6 +307,7 @@ bool vtkShadowPass::SetShaderParameters(
   }
   program->SetUniform1fv(
     "shadowAttenuation", std::max(1, static_cast<int>(my.Frame.Lights.size())), attenuation.data());
+  program->SetUniformi("shadowLightCount", static_cast<int>(my.Frame.Lights.size()));
   program->SetUniformi("shadowReceives", receives);
   program->SetUniformi("shadowCasts", vtkShadowPass::GetCasting(prop));
   if (my.ScreenSpace)
