@@ -2,7 +2,9 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLCamera.h"
 #include "vtkOpenGLState.h"
 #include "vtkProp.h"
 #include "vtkShaderProgram.h"
@@ -14,6 +16,8 @@
 #include "vtk_glew.h"
 
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <array>
@@ -223,6 +227,43 @@ void vtkShadowPass::Internals::SetLights(vtkShaderProgram* program)
 }
 
 //------------------------------------------------------------------------------
+void vtkShadowPass::Internals::SetToPixel(
+  vtkShaderProgram* program, const std::array<int, 4>& viewport)
+{
+  // From one picture's plane to the other's, both at distance 1: p = plane * [x, y] + offset.
+  const auto getPlane = [](const glm::dmat4& vcToClip)
+  {
+    const glm::dvec2 offset = vcToClip[3][3] != 0.0 ? glm::dvec2(vcToClip[3]) / vcToClip[3][3]
+                                                    : glm::dvec2(vcToClip[2]) / vcToClip[2][3];
+    return glm::dmat3(glm::dvec3(vcToClip[0].x, vcToClip[0].y, 0.0),
+      glm::dvec3(vcToClip[1].x, vcToClip[1].y, 0.0), glm::dvec3(offset, 1.0));
+  };
+  const auto getPixels = [](double x, double y, double width, double height) // from -1..1
+  {
+    return glm::dmat3(
+      0.5 * width, 0.0, 0.0, 0.0, 0.5 * height, 0.0, x + 0.5 * width, y + 0.5 * height, 1.0);
+  };
+  glm::dmat3 toPixel(1.0);
+  toPixel[2] = glm::dvec3(-viewport[0], -viewport[1], 1.0);
+  auto* camera = vtkOpenGLCamera::SafeDownCast(this->Renderer->GetActiveCamera());
+  if (camera && (viewport[2] != this->Size[0] || viewport[3] != this->Size[1]))
+  {
+    vtkMatrix4x4 *wcvc, *vcdc, *wcdc;
+    vtkMatrix3x3* normals;
+    camera->GetKeyMatrices(this->Renderer, wcvc, normals, vcdc, wcdc);
+    toPixel = getPixels(0.0, 0.0, this->Size[0], this->Size[1]) * getPlane(this->Frame.VCToClip) *
+              glm::inverse(getPixels(viewport[0], viewport[1], viewport[2], viewport[3]) *
+                           getPlane(glm::make_mat4(vcdc->GetData())));
+  }
+  float columns[9]; // SetUniformMatrix3x3 takes them as they lie
+  for (int i = 0; i < 9; ++i)
+  {
+    columns[i] = static_cast<float>(toPixel[i / 3][i % 3]);
+  }
+  program->SetUniformMatrix3x3("shadowToPixel", columns);
+}
+
+//------------------------------------------------------------------------------
 std::string vtkShadowPass::GetLightsGLSL()
 {
   return this->Internal->GetPreamble() + vtkShadowLightsFS;
@@ -323,7 +364,14 @@ bool vtkShadowPass::SetShaderParameters(
     program->SetUniformi("shadowReceivers", receivers.GetUnit());
     program->SetUniformi("shadowBuffer", buffer.GetTarget().GetUnit());
   }
-  // The rest is the same for all props of this frame.
+  // The rest is the same for all props that are drawn to one place.
+  std::array<int, 4> viewport;
+  my.Window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport.data());
+  if (viewport != my.Viewport)
+  {
+    my.Viewport = viewport;
+    my.UpToDatePrograms.clear();
+  }
   if (!my.UpToDatePrograms.insert(program).second)
   {
     return true;
@@ -338,9 +386,7 @@ bool vtkShadowPass::SetShaderParameters(
                        projection->GetElement(0, 1) * projection->GetElement(1, 0);
   program->SetUniformf("shadowUnit", static_cast<float>((mirrors ? -500.0 : 500.0) / height));
   my.SetLights(program);
-  int viewport[4];
-  my.Window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
-  program->SetUniform2i("shadowOrigin", viewport);
+  my.SetToPixel(program, viewport);
   if (!my.ScreenSpace && !my.WritesReceivers)
   {
     this->SetVisibilityParameters(program);

@@ -30,7 +30,7 @@ uniform sampler2DArray shadowBuffer;
 // the neighbour that is nearest to it. False where none is near, for translucent surfaces.
 bool shadowFindPixel(vec3 positionVC, float footprint, out ivec2 pixel)
 {
-  ivec2 own = ivec2(gl_FragCoord.xy) - shadowOrigin;
+  ivec2 own = SHADOW_PIXEL;
   ivec2 last = textureSize(shadowReceivers, 0).xy - 1;
   float nearest = -1.0;
   for (int i = 0; i < 5; ++i)
