@@ -5,6 +5,7 @@
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLCamera.h"
+#include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
 #include "vtkProp.h"
 #include "vtkShaderProgram.h"
@@ -375,6 +376,13 @@ bool vtkShadowPass::SetShaderParameters(
   if (!my.UpToDatePrograms.insert(program).second)
   {
     return true;
+  }
+  // VTK sets lights when they or the camera were modified, but this program's may be those of another
+  // renderer since.
+  if (auto* glRenderer = vtkOpenGLRenderer::SafeDownCast(my.Renderer))
+  {
+    program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
+    glRenderer->UpdateLightingUniforms(program);
   }
   vtkCamera* camera = my.Renderer->GetActiveCamera();
   // Anything of the magnitude of a pixel at the focal point does.
