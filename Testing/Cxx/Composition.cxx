@@ -199,7 +199,10 @@ void CheckEffect(
     stage.Draw(around);
     CheckShadowed(stage.Draw(around), plain, out, regions, 3000.0, 400.0, how);
     quiet.Check(how);
-    stage.Renderer->SetPass(nullptr);
+    // When the outer pass is taken off, the next frame tells.
+    stage.Draw(nullptr);
+    ShadowTest::CheckEqual(
+      static_cast<double>(stage.GetBytes()), 0.0, how + ", bytes after the next frame");
     around->ReleaseGraphicsResources(stage.Window);
   }
 }

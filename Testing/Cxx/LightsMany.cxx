@@ -200,6 +200,45 @@ SHADOW_TEST(LightsMany, SixteenAndOne, Each)
 }
 
 //------------------------------------------------------------------------------
+// With their sizes, and all kinds that the technique takes: what is seen of a light does not depend
+// on the others, but that soft code then runs for those without a size too.
+SHADOW_TEST(LightsMany, KindsTogether, Each)
+{
+  ShadowStage stage(120, 120);
+  stage.AddThings();
+  std::vector<vtkAreaLight*> lights;
+  for (int i = 0; i < 16; ++i)
+  {
+    const LightKind kind = LightKinds[i % 6];
+    const double angle = glm::radians(22.5 * i);
+    lights.push_back(
+      stage.AddLight(ShadowStage::Supports(technique, kind) ? kind : LightKind::Point,
+        { 4.0 * std::cos(angle), 4.0 * std::sin(angle), 4.5 }, glm::dvec3(0.0)));
+    lights.back()->SetDiffuseColor(0.06, 0.06, 0.06);
+  }
+  stage.SetPass(technique);
+  stage.Render();
+  std::vector<Visibility> together;
+  for (vtkLight* light : lights)
+  {
+    together.push_back(stage.GetVisibility(light));
+  }
+  for (const int alone : { 1, 6, 8, 9, 10, 11 }) // each kind once
+  {
+    for (vtkLight* light : lights)
+    {
+      light->SetSwitch(light == lights[alone]);
+    }
+    stage.Render();
+    const std::string what = "light " + std::to_string(alone);
+    const Difference difference = Compare(stage.GetVisibility(lights[alone]), together[alone]);
+    ShadowTest::CheckAtMost(difference.RMSE, 0.01, what + ", RMSE");
+    ShadowTest::CheckAtMost(difference.Share, 0.002, what + ", pixels that differ");
+    ShadowTest::CheckEqual(GetRange(together[alone]).first, 0.0, what + ": there is a shadow");
+  }
+}
+
+//------------------------------------------------------------------------------
 // VTK's cone angle is from its axis to its edge, and none from 90 degrees on. Within the cone V is
 // that of the oracle.
 SHADOW_TEST(LightsMany, Cones, Each)
