@@ -35,7 +35,8 @@ namespace
 struct Effect
 {
   const char* Name;
-  int Reach; // pixels by which it mixes colours
+  int Reach;       // pixels by which it mixes colours
+  bool InViewport; // VTK 9.1 puts others into the window's corner
   std::function<vtkSmartPointer<vtkRenderPass>(vtkRenderPass*)> Around;
 };
 
@@ -50,7 +51,7 @@ vtkSmartPointer<vtkRenderPass> Make(vtkRenderPass* delegate)
 const std::vector<Effect>& GetEffects()
 {
   static const std::vector<Effect> effects = {
-    { "SSAO", 0,
+    { "SSAO", 0, false,
       [](vtkRenderPass* delegate)
       {
         vtkNew<vtkSSAOPass> pass;
@@ -61,12 +62,12 @@ const std::vector<Effect>& GetEffects()
         pass->BlurOn();
         return vtkSmartPointer<vtkRenderPass>(pass);
       } },
-    { "FXAA", 3, Make<vtkOpenGLFXAAPass> },
-    { "tone mapping", 0, Make<vtkToneMappingPass> },
-    { "EDL", 0, Make<vtkEDLShading> },
-    { "depth of field", 4, Make<vtkDepthOfFieldPass> },
-    { "blur", 2, Make<vtkGaussianBlurPass> },
-    { "SSAA", 2, Make<vtkSSAAPass> },
+    { "FXAA", 3, true, Make<vtkOpenGLFXAAPass> },
+    { "tone mapping", 0, true, Make<vtkToneMappingPass> },
+    { "EDL", 0, true, Make<vtkEDLShading> },
+    { "depth of field", 4, false, Make<vtkDepthOfFieldPass> },
+    { "blur", 2, false, Make<vtkGaussianBlurPass> },
+    { "SSAA", 2, false, Make<vtkSSAAPass> },
   };
   return effects;
 }
@@ -75,9 +76,13 @@ const std::vector<Effect>& GetEffects()
 class ComposedStage : public ShadowStage
 {
 public:
-  explicit ComposedStage(const std::string& technique, int width = 160, int height = 160)
-    : ShadowStage(width, height)
+  /** The renderer's viewport begins at a margin of the window. */
+  explicit ComposedStage(
+    const std::string& technique, int width = 160, int height = 160, int margin = 0)
+    : ShadowStage(width + margin, height + margin)
   {
+    this->Renderer->SetViewport(
+      margin / double(width + margin), margin / double(height + margin), 1.0, 1.0);
     this->AddThings();
     this->Light = this->AddLight(
       ShadowStage::Supports(technique, LightKind::Sphere) ? LightKind::Sphere : LightKind::Point);
@@ -88,7 +93,10 @@ public:
   {
     this->Renderer->SetPass(pass);
     this->Render();
-    return this->GetPicture();
+    int size[2];
+    int origin[2];
+    this->Renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+    return Crop(this->GetPicture(), origin[0], origin[1], size[0], size[1]);
   }
   /** Of this pass, with the light all but out; one that is quite out would change VTK's shading. */
   Picture DrawOut(vtkRenderPass* pass)
@@ -156,10 +164,10 @@ vtkSmartPointer<vtkRenderPass> MakePeeling()
   return peeling.Get();
 }
 
-void CheckEffect(
-  const std::string& technique, const Effect& effect, int width = 160, int height = 160)
+void CheckEffect(const std::string& technique, const Effect& effect, int width = 160,
+  int height = 160, int margin = 0)
 {
-  ComposedStage stage(technique, width, height);
+  ComposedStage stage(technique, width, height, margin);
   stage.Renderer->GetActiveCamera()->SetFocalDisk(4.0); // of the depth of field
   vtkNew<vtkRenderStepsPass> steps;
   stage.SetPass(technique);
@@ -249,6 +257,18 @@ SHADOW_TEST(Composition, ManySamples, Each)
 {
   CheckEffect(technique, GetEffects()[6]);
   CheckEffect(technique, GetEffects()[6], 190, 130);
+}
+
+//------------------------------------------------------------------------------
+SHADOW_TEST(Composition, WithinAViewport, Each)
+{
+  for (const Effect& effect : GetEffects())
+  {
+    if (effect.InViewport)
+    {
+      CheckEffect(technique, effect, 160, 160, 40);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

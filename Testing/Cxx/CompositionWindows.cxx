@@ -34,19 +34,6 @@ Picture DrawOut(ShadowStage& stage, vtkLight* light)
   return stage.GetPicture();
 }
 
-Picture Crop(const Picture& picture, int x, int y, int width, int height)
-{
-  Picture part;
-  part.Width = width;
-  part.Height = height;
-  for (int row = 0; row < height; ++row)
-  {
-    const auto first = picture.RGB.begin() + 3 * ((y + row) * picture.Width + x);
-    part.RGB.insert(part.RGB.end(), first, first + 3 * width);
-  }
-  return part;
-}
-
 /** A pass beside the stage's own one, set on this renderer. */
 vtkSmartPointer<vtkShadowPass> SetPassOf(
   ShadowStage& stage, vtkRenderer* renderer, const std::string& technique)

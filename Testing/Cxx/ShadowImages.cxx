@@ -108,6 +108,20 @@ std::pair<float, float> GetRange(const Visibility& visibility)
 }
 
 //------------------------------------------------------------------------------
+Picture Crop(const Picture& picture, int x, int y, int width, int height)
+{
+  Picture part;
+  part.Width = width;
+  part.Height = height;
+  for (int row = 0; row < height; ++row)
+  {
+    const auto first = picture.RGB.begin() + 3 * ((y + row) * picture.Width + x);
+    part.RGB.insert(part.RGB.end(), first, first + 3 * width);
+  }
+  return part;
+}
+
+//------------------------------------------------------------------------------
 std::vector<Region> GetRegions(
   const Visibility& visibility, int reach, const std::vector<unsigned char>& use)
 {

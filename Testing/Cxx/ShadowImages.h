@@ -50,6 +50,9 @@ Difference Compare(const Visibility& a, const Visibility& b, double threshold = 
 bool Same(const Visibility& a, const Visibility& b);
 bool Same(const Picture& a, const Picture& b);
 
+/** A part of a picture. */
+Picture Crop(const Picture& picture, int x, int y, int width, int height);
+
 /** What all pixels around one have in common, by as far as an effect on the picture reaches. */
 enum class Region : unsigned char
 {
