@@ -19,7 +19,9 @@
 
 namespace
 {
-constexpr double EdgeShare = 0.015; // as in LightKinds.cxx
+// Pixels on edges, where a texel and a pixel see different points: a third of what LightKinds.cxx,
+// with lights among its casters, allows.
+constexpr double EdgeShare = 0.005;
 const Parameters Fine = { { "resolution", "1024" }, { "samples", "4" } };
 
 vtkLight* AddPlainLight(ShadowStage& stage, bool positional, const glm::dvec3& position)
@@ -269,10 +271,7 @@ SHADOW_TEST(LightsMany, Cones, Each)
     const Difference difference =
       Compare(stage.GetVisibility(light), oracle.GetHard(light, technique), 0.5, inside);
     ShadowTest::CheckAtLeast(static_cast<double>(difference.Pixels), 2000.0, what + ": pixels");
-    // Edges take the larger a share, the smaller the spot.
-    ShadowTest::CheckAtMost(difference.Share,
-      EdgeShare * std::max(1.0, 160.0 / std::sqrt(static_cast<double>(difference.Pixels))),
-      what + ": pixels that differ");
+    ShadowTest::CheckAtMost(difference.Share, EdgeShare, what + ": pixels that differ");
     ShadowTest::CheckEqual(
       GetRange(stage.GetVisibility(light)).first, 0.0, what + ": there is a shadow");
     ShadowTest::CheckNoMessage(what);
