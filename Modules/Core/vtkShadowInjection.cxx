@@ -2,7 +2,10 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
 #include "vtkProp.h"
 #include "vtkShaderProgram.h"
@@ -14,6 +17,8 @@
 #include "vtkShadowVTKVersion.h"
 
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <array>
@@ -128,6 +133,12 @@ void vtkShadowInjection::Fill(std::string& source, const Code& code, bool catche
     if (code.Shading)
     {
       body += "  float shadowFootprint = 4.0 * (length(shadowDxVC) + length(shadowDyVC));\n";
+      body += "  SHADOW_VISIBILITY shadowFactors[SHADOW_LIGHTS];\n"
+              "  for (int shadowI = 0; shadowI < SHADOW_LIGHTS_HERE; ++shadowI)\n"
+              "  {\n"
+              "    shadowFactors[shadowI] = shadowFactor(shadowI, vertexVC.xyz, shadowNormalVC, "
+              "shadowFootprint);\n"
+              "  }\n";
     }
     for (std::size_t slot = 0; slot < code.LightsOfSlot.size(); ++slot)
     {
@@ -137,9 +148,8 @@ void vtkShadowInjection::Fill(std::string& source, const Code& code, bool catche
         std::string factor;
         for (const int light : code.LightsOfSlot[slot])
         {
-          factor += (factor.empty() ? "" : " - 1.0 + ") +
-                    ("shadowFactor(" + std::to_string(light)) +
-                    ", vertexVC.xyz, shadowNormalVC, shadowFootprint)";
+          factor +=
+            (factor.empty() ? "" : " - 1.0 + ") + ("shadowFactors[" + std::to_string(light)) + "]";
         }
         body += "  SHADOW_VISIBILITY shadowFactor" + std::to_string(slot) + " = " + factor + ";\n";
       }
@@ -215,6 +225,43 @@ void vtkShadowPass::Internals::SetLights(vtkShaderProgram* program)
     program->SetUniform4fv("shadowLightVVC", count, v);
   }
   program->SetUniformf("shadowLeastRounding", static_cast<float>(this->Frame.LeastRounding));
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::Internals::SetToPixel(
+  vtkShaderProgram* program, const std::array<int, 4>& viewport)
+{
+  // From one picture's plane to the other's, both at distance 1: p = plane * [x, y] + offset.
+  const auto getPlane = [](const glm::dmat4& vcToClip)
+  {
+    const glm::dvec2 offset = vcToClip[3][3] != 0.0 ? glm::dvec2(vcToClip[3]) / vcToClip[3][3]
+                                                    : glm::dvec2(vcToClip[2]) / vcToClip[2][3];
+    return glm::dmat3(glm::dvec3(vcToClip[0].x, vcToClip[0].y, 0.0),
+      glm::dvec3(vcToClip[1].x, vcToClip[1].y, 0.0), glm::dvec3(offset, 1.0));
+  };
+  const auto getPixels = [](double x, double y, double width, double height) // from -1..1
+  {
+    return glm::dmat3(
+      0.5 * width, 0.0, 0.0, 0.0, 0.5 * height, 0.0, x + 0.5 * width, y + 0.5 * height, 1.0);
+  };
+  glm::dmat3 toPixel(1.0);
+  toPixel[2] = glm::dvec3(-viewport[0], -viewport[1], 1.0);
+  auto* camera = vtkOpenGLCamera::SafeDownCast(this->Renderer->GetActiveCamera());
+  if (camera && (viewport[2] != this->Size[0] || viewport[3] != this->Size[1]))
+  {
+    vtkMatrix4x4 *wcvc, *vcdc, *wcdc;
+    vtkMatrix3x3* normals;
+    camera->GetKeyMatrices(this->Renderer, wcvc, normals, vcdc, wcdc);
+    toPixel = getPixels(0.0, 0.0, this->Size[0], this->Size[1]) * getPlane(this->Frame.VCToClip) *
+              glm::inverse(getPixels(viewport[0], viewport[1], viewport[2], viewport[3]) *
+                           getPlane(glm::make_mat4(vcdc->GetData())));
+  }
+  float columns[9]; // SetUniformMatrix3x3 takes them as they lie
+  for (int i = 0; i < 9; ++i)
+  {
+    columns[i] = static_cast<float>(toPixel[i / 3][i % 3]);
+  }
+  program->SetUniformMatrix3x3("shadowToPixel", columns);
 }
 
 //------------------------------------------------------------------------------
@@ -302,6 +349,7 @@ bool vtkShadowPass::SetShaderParameters(
   }
   program->SetUniform1fv(
     "shadowAttenuation", std::max(1, static_cast<int>(my.Frame.Lights.size())), attenuation.data());
+  program->SetUniformi("shadowLightCount", static_cast<int>(my.Frame.Lights.size()));
   program->SetUniformi("shadowReceives", receives);
   program->SetUniformi("shadowCasts", vtkShadowPass::GetCasting(prop));
   if (my.ScreenSpace)
@@ -317,10 +365,24 @@ bool vtkShadowPass::SetShaderParameters(
     program->SetUniformi("shadowReceivers", receivers.GetUnit());
     program->SetUniformi("shadowBuffer", buffer.GetTarget().GetUnit());
   }
-  // The rest is the same for all props of this frame.
+  // The rest is the same for all props that are drawn to one place.
+  std::array<int, 4> viewport;
+  my.Window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport.data());
+  if (viewport != my.Viewport)
+  {
+    my.Viewport = viewport;
+    my.UpToDatePrograms.clear();
+  }
   if (!my.UpToDatePrograms.insert(program).second)
   {
     return true;
+  }
+  // VTK sets lights when they or the camera were modified, but this program's may be those of another
+  // renderer since.
+  if (auto* glRenderer = vtkOpenGLRenderer::SafeDownCast(my.Renderer))
+  {
+    program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
+    glRenderer->UpdateLightingUniforms(program);
   }
   vtkCamera* camera = my.Renderer->GetActiveCamera();
   // Anything of the magnitude of a pixel at the focal point does.
@@ -332,9 +394,7 @@ bool vtkShadowPass::SetShaderParameters(
                        projection->GetElement(0, 1) * projection->GetElement(1, 0);
   program->SetUniformf("shadowUnit", static_cast<float>((mirrors ? -500.0 : 500.0) / height));
   my.SetLights(program);
-  int viewport[4];
-  my.Window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
-  program->SetUniform2i("shadowOrigin", viewport);
+  my.SetToPixel(program, viewport);
   if (!my.ScreenSpace && !my.WritesReceivers)
   {
     this->SetVisibilityParameters(program);

@@ -20,6 +20,7 @@
 #include "vtkVisibilityBuffer.h"
 #include "vtkWeakPointer.h"
 
+#include <array>
 #include <map>
 #include <set>
 #include <string>
@@ -67,6 +68,7 @@ public:
   std::vector<vtkSmartPointer<vtkProp>> Props; // what survived culling, until the next frame
   std::vector<vtkProp*> Marked; // these and their parts, while the pass is in their keys
   std::set<vtkShaderProgram*> UpToDatePrograms;
+  std::array<int, 4> Viewport{}; // that they were set for
   unsigned long Frames = 0;
 
   /** Stands in a catcher's keys, so that mappers make it a shader of its own. */
@@ -88,6 +90,8 @@ public:
 
   /** Lights' uniforms of vtkShadowLightsFS.glsl. */
   void SetLights(vtkShaderProgram* program);
+  /** What turns a fragment's place into the buffers' pixel: a larger picture shows it elsewhere. */
+  void SetToPixel(vtkShaderProgram* program, const std::array<int, 4>& viewport);
   /** `#define`s and GLSL that both ways of evaluation start with. */
   std::string GetPreamble() const;
 };

@@ -4,6 +4,7 @@
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkOpenGLActor.h"
 #include "vtkOpenGLState.h"
 #include "vtkPointData.h"
@@ -17,6 +18,65 @@
 #include <algorithm>
 #include <iterator>
 #include <set>
+
+namespace
+{
+/**
+ * Takes other passes off props while it lives: one around this pass (vtkSSAOPass) would have them
+ * write to its own framebuffer's targets, which are not what is drawn into.
+ */
+class OtherPasses
+{
+public:
+  explicit OtherPasses(const std::vector<vtkSmartPointer<vtkProp>>& props)
+  {
+    for (vtkProp* prop : props)
+    {
+      this->TakeOff(prop);
+      vtkShadowPass::ForEachPart(
+        prop, [this](vtkProp* part, vtkMatrix4x4*) { this->TakeOff(part); });
+    }
+  }
+  ~OtherPasses()
+  {
+    for (const auto& taken : this->Taken)
+    {
+      for (vtkObjectBase* pass : taken.Passes)
+      {
+        taken.Keys->Append(vtkOpenGLRenderPass::RenderPasses(), pass);
+      }
+    }
+  }
+  OtherPasses(const OtherPasses&) = delete;
+  void operator=(const OtherPasses&) = delete;
+
+private:
+  struct Of
+  {
+    vtkSmartPointer<vtkInformation> Keys;
+    std::vector<vtkSmartPointer<vtkObjectBase>> Passes;
+  };
+
+  void TakeOff(vtkProp* prop)
+  {
+    vtkInformation* keys = prop->GetPropertyKeys();
+    const int count = keys ? keys->Length(vtkOpenGLRenderPass::RenderPasses()) : 0;
+    if (count == 0)
+    {
+      return;
+    }
+    Of taken{ keys, {} };
+    for (int i = 0; i < count; ++i)
+    {
+      taken.Passes.emplace_back(keys->Get(vtkOpenGLRenderPass::RenderPasses(), i));
+    }
+    keys->Remove(vtkOpenGLRenderPass::RenderPasses());
+    this->Taken.push_back(std::move(taken));
+  }
+
+  std::vector<Of> Taken;
+};
+}
 
 //------------------------------------------------------------------------------
 void vtkShadowPass::EvaluateVisibility(bool withCatchers)
@@ -85,6 +145,7 @@ void vtkShadowPass::RenderReceivers(
   glClearBufferfv(GL_COLOR, 0, nothing);
   glClearBufferfv(GL_DEPTH, 0, &farthest);
 
+  const OtherPasses others(my.Props);
   this->UpdateInjection(true);
   my.Written = &buffer;
   buffer.GetTarget().Activate(my.Window);

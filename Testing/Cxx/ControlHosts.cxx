@@ -1,15 +1,11 @@
-// The pass among other passes, other windows, and what is no surface.
+// The pass with a delegate, in several windows, and with what is no surface. See also Composition.cxx.
 
-#include "ShadowOracle.h"
+#include "ShadowStage.h"
 #include "ShadowTest.h"
 
-#include "vtkGaussianBlurPass.h"
 #include "vtkRenderStepsPass.h"
-#include "vtkSSAAPass.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
-
-#include <algorithm>
 
 namespace
 {
@@ -50,95 +46,6 @@ SHADOW_TEST(Control, DelegatePass, Each)
   stage.Pass->SetDelegatePass(nullptr);
   stage.Render();
   ShadowTest::Check(Same(stage.GetPicture(), expected), "the default delegate's picture differs");
-}
-
-//------------------------------------------------------------------------------
-// A pass within another one that draws more pixels than the window has, on the borders (blur) or
-// within each (SSAA): there are shadows, in their places, and what is lit is as without the pass.
-// When the outer pass is taken off, the next frame tells.
-SHADOW_TEST(Control, WithinAnotherPass, Each)
-{
-  for (const bool blurs : { true, false })
-  {
-    const std::string what = blurs ? "blur" : "SSAA";
-    const auto makeOuter = [blurs](vtkRenderPass* delegate)
-    {
-      vtkSmartPointer<vtkRenderPass> outer;
-      if (blurs)
-      {
-        vtkNew<vtkGaussianBlurPass> blur;
-        blur->SetDelegatePass(delegate);
-        outer = blur;
-      }
-      else
-      {
-        vtkNew<vtkSSAAPass> manySamples;
-        manySamples->SetDelegatePass(delegate);
-        outer = manySamples;
-      }
-      return outer;
-    };
-    ShadowStage stage;
-    Build(stage, technique);
-    vtkNew<vtkRenderStepsPass> steps;
-    auto outer = makeOuter(steps);
-    stage.Renderer->SetPass(outer);
-    stage.Render();
-    const Picture plain = stage.GetPicture();
-    outer->ReleaseGraphicsResources(stage.Window);
-    ShadowTest::CheckNoMessage(what + " without shadows");
-
-    stage.SetPass(technique);
-    stage.Render();
-    const Visibility visibility = stage.GetVisibility();
-    outer = makeOuter(stage.Pass);
-    stage.Renderer->SetPass(outer);
-    stage.Render();
-    stage.Render();
-    const Picture picture = stage.GetPicture();
-    stage.GetVisibility();
-    ShadowTest::CheckNoMessage(what + " of shadows");
-    // Away from edges, behind which a shadow may begin that some samples of a pixel show.
-    const auto inner = ShadowOracle(stage).GetInner(3);
-    std::size_t wrong = 0;
-    std::size_t lit = 0;
-    std::size_t dark = 0;
-    for (int y = 4; y < 156; ++y)
-    {
-      for (int x = 4; x < 156; ++x)
-      {
-        // The blur reaches 2 pixels.
-        double low = 1.0;
-        double high = 0.0;
-        for (int k = 0; k < 49; ++k)
-        {
-          low = std::min<double>(low, visibility(x + k % 7 - 3, y + k / 7 - 3));
-          high = std::max<double>(high, visibility(x + k % 7 - 3, y + k / 7 - 3));
-        }
-        const std::size_t i = y * 160 + x;
-        if (inner[i] && low == 1.0)
-        {
-          ++lit;
-          wrong += picture.Difference(plain, i) > 1;
-        }
-        else if (inner[i] && high == 0.0 &&
-                 plain.RGB[3 * i] > 60) // less is in shadow by its own slope
-        {
-          ++dark;
-          wrong += picture.RGB[3 * i] >= plain.RGB[3 * i];
-        }
-      }
-    }
-    ShadowTest::CheckAtLeast(static_cast<double>(lit), 3000.0, what + ", lit pixels");
-    ShadowTest::CheckAtLeast(static_cast<double>(dark), 100.0, what + ", dark pixels");
-    ShadowTest::CheckEqual(static_cast<double>(wrong), 0.0, what + ", wrong pixels");
-
-    stage.Renderer->SetPass(nullptr);
-    stage.Render();
-    ShadowTest::CheckEqual(
-      static_cast<double>(stage.GetBytes()), 0.0, what + ", bytes after the next frame");
-    outer->ReleaseGraphicsResources(stage.Window);
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -106,3 +106,81 @@ std::pair<float, float> GetRange(const Visibility& visibility)
   }
   return range;
 }
+
+//------------------------------------------------------------------------------
+Picture Crop(const Picture& picture, int x, int y, int width, int height)
+{
+  Picture part;
+  part.Width = width;
+  part.Height = height;
+  for (int row = 0; row < height; ++row)
+  {
+    const auto first = picture.RGB.begin() + 3 * ((y + row) * picture.Width + x);
+    part.RGB.insert(part.RGB.end(), first, first + 3 * width);
+  }
+  return part;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Region> GetRegions(
+  const Visibility& visibility, int reach, const std::vector<unsigned char>& use)
+{
+  const int width = visibility.Width;
+  std::vector<Region> regions(visibility.Mask.size(), Region::Mixed);
+  for (int y = reach; y < visibility.Height - reach; ++y)
+  {
+    for (int x = reach; x < width - reach; ++x)
+    {
+      const std::size_t pixel = static_cast<std::size_t>(y) * width + x;
+      bool lit = use.empty() || use[pixel];
+      bool dark = lit;
+      for (int dy = -reach; dy <= reach; ++dy)
+      {
+        for (int dx = -reach; dx <= reach; ++dx)
+        {
+          const std::size_t i = pixel + dy * width + dx;
+          for (int c = 0; c < visibility.Components; ++c)
+          {
+            const float v = visibility.V[i * visibility.Components + c];
+            lit = lit && (v == 1.0f || !visibility.Mask[i]);
+            dark = dark && v == 0.0f && visibility.Mask[i];
+          }
+        }
+      }
+      regions[pixel] = lit ? Region::Lit : (dark ? Region::Dark : Region::Mixed);
+    }
+  }
+  return regions;
+}
+
+//------------------------------------------------------------------------------
+void CheckShadowed(const Picture& picture, const Picture& plain, const Picture& out,
+  const std::vector<Region>& regions, double leastLit, double leastDark, const std::string& what)
+{
+  if (!ShadowTest::Check(picture.RGB.size() == 3 * regions.size() &&
+                           plain.RGB.size() == picture.RGB.size() &&
+                           out.RGB.size() == picture.RGB.size(),
+        what + ": pictures of different sizes"))
+  {
+    return;
+  }
+  int worst[2] = { 0, 0 };
+  std::size_t count[2] = { 0, 0 };
+  std::size_t notDarker = 0;
+  for (std::size_t i = 0; i < regions.size(); ++i)
+  {
+    if (regions[i] != Region::Mixed)
+    {
+      const bool dark = regions[i] == Region::Dark;
+      ++count[dark];
+      worst[dark] = std::max(worst[dark], picture.Difference(dark ? out : plain, i));
+      notDarker +=
+        dark && plain.RGB[3 * i] > out.RGB[3 * i] + 4 && picture.RGB[3 * i] >= plain.RGB[3 * i];
+    }
+  }
+  ShadowTest::CheckAtLeast(static_cast<double>(count[0]), leastLit, what + ", lit pixels");
+  ShadowTest::CheckAtLeast(static_cast<double>(count[1]), leastDark, what + ", dark pixels");
+  ShadowTest::CheckAtMost(worst[0], 1.0, what + ", lit: difference, of 255");
+  ShadowTest::CheckAtMost(worst[1], 1.0, what + ", dark: difference, of 255");
+  ShadowTest::CheckEqual(static_cast<double>(notDarker), 0.0, what + ", dark but no darker");
+}

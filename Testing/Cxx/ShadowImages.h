@@ -4,6 +4,7 @@
 #define ShadowImages_h
 
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -48,6 +49,28 @@ Difference Compare(const Visibility& a, const Visibility& b, double threshold = 
 /** Values and mask are the same bit by bit. */
 bool Same(const Visibility& a, const Visibility& b);
 bool Same(const Picture& a, const Picture& b);
+
+/** A part of a picture. */
+Picture Crop(const Picture& picture, int x, int y, int width, int height);
+
+/** What all pixels around one have in common, by as far as an effect on the picture reaches. */
+enum class Region : unsigned char
+{
+  Mixed,
+  Lit, // V is 1 throughout, or nothing receives
+  Dark // V is 0 throughout
+};
+/** Pixels where `use` is 0, and those nearer to the picture's border than the reach, are mixed. */
+std::vector<Region> GetRegions(
+  const Visibility& visibility, int reach = 0, const std::vector<unsigned char>& use = {});
+/**
+ * What every way of drawing must keep to: lit pixels are those of the plain picture, and dark ones
+ * those of the picture with the light all but out, to 1/255. There are at least so many of both, and
+ * the dark ones of them that the light would show are darker than the plain picture.
+ */
+void CheckShadowed(const Picture& picture, const Picture& plain, const Picture& out,
+  const std::vector<Region>& regions, double leastLit, double leastDark, const std::string& what);
+
 /** The lowest and highest V of the receivers; NaN where one is NaN. */
 std::pair<float, float> GetRange(const Visibility& visibility);
 

@@ -30,7 +30,7 @@ uniform sampler2DArray shadowBuffer;
 // the neighbour that is nearest to it. False where none is near, for translucent surfaces.
 bool shadowFindPixel(vec3 positionVC, float footprint, out ivec2 pixel)
 {
-  ivec2 own = ivec2(gl_FragCoord.xy) - shadowOrigin;
+  ivec2 own = SHADOW_PIXEL;
   ivec2 last = textureSize(shadowReceivers, 0).xy - 1;
   float nearest = -1.0;
   for (int i = 0; i < 5; ++i)
@@ -55,6 +55,14 @@ bool shadowFindPixel(vec3 positionVC, float footprint, out ivec2 pixel)
 
 #if defined(SHADOW_BUFFER) || defined(SHADOW_FORWARD)
 uniform float shadowAttenuation[SHADOW_LIGHTS]; // 0 on a prop that does not receive
+
+// A loop over many lights must stay one: unrolled, software rasterizers compile it for a minute.
+#if SHADOW_LIGHTS > 2
+uniform int shadowLightCount;
+#define SHADOW_LIGHTS_HERE shadowLightCount
+#else
+#define SHADOW_LIGHTS_HERE SHADOW_LIGHTS
+#endif
 
 // The factor of a light's colour.
 SHADOW_VISIBILITY shadowFactor(int light, vec3 positionVC, vec3 normalVC, float footprint)

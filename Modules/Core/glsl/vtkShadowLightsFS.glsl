@@ -4,13 +4,14 @@
 // SHADOW_LIGHTS is their number. SHADOW_VISIBILITY is float, or vec3 where a light is textured.
 // SHADOW_HARD is defined where a light counts as its centre.
 
-// Where the viewport begins in what is drawn into; screen-space buffers hold it alone.
+// The pixel of the screen-space buffers. Their evaluation draws into the like of them; a prop may be
+// drawn beside a window's origin, or by a delegate into a larger picture of the same view.
 #ifdef SHADOW_INJECTED
-uniform ivec2 shadowOrigin;
+uniform mat3 shadowToPixel;
+#define SHADOW_PIXEL ivec2(floor((shadowToPixel * vec3(gl_FragCoord.xy, 1.0)).xy))
 #else
-const ivec2 shadowOrigin = ivec2(0);
+#define SHADOW_PIXEL ivec2(gl_FragCoord.xy)
 #endif
-#define SHADOW_PIXEL (ivec2(gl_FragCoord.xy) - shadowOrigin)
 
 uniform vec4 shadowLightPlaceVC[SHADOW_LIGHTS]; // position, w 1; or direction to it, w 0
 uniform vec4 shadowLightUVC[SHADOW_LIGHTS];     // half axis; w: radius of a sphere, else 0
