@@ -173,8 +173,13 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer, vtkTranslucentCasters trans
       vtkForEachShadowSurface(prop, matrix, addSurface);
     }
     auto* actor = vtkActor::SafeDownCast(prop);
-    const double* b = actor && actor->GetMapper() ? actor->GetMapper()->GetBounds() : nullptr;
-    if (placed.size() == before && vtkShadowPass::GetReceiving(root) && b && b[0] <= b[1])
+    if (placed.size() != before || !actor || !actor->GetMapper() ||
+        !vtkShadowPass::GetReceiving(root))
+    {
+      return;
+    }
+    const double* b = actor->GetMapper()->GetBounds();
+    if (b && b[0] <= b[1])
     {
       receivers.push_back(BoxCorners({ b[0], b[2], b[4] }, { b[1], b[3], b[5] }));
       for (auto& corner : receivers.back())

@@ -441,7 +441,7 @@ bool vtkShadowGlyphs::IsRepresented(vtkMapper* mapper)
 //------------------------------------------------------------------------------
 vtkMTimeType vtkShadowGlyphs::GetShapeTime(vtkMapper* mapper)
 {
-  vtkMTimeType time = mapper->GetMTime();
+  vtkMTimeType time = mapper->vtkObject::GetMTime(); // not its colours
   if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper))
   {
     time = std::max(time, GetTime(glyphs->GetBlockAttributes()));
