@@ -109,11 +109,29 @@ double OffscreenWindow::Render()
 }
 
 //------------------------------------------------------------------------------
+void OffscreenWindow::MakeTransparent()
+{
+  this->Transparent = true;
+  this->Window->SetAlphaBitPlanes(1);
+  this->Renderer->GradientBackgroundOff();
+  this->Renderer->SetBackground(0.0, 0.0, 0.0);
+  this->Renderer->SetBackgroundAlpha(0.0);
+  this->Renderer->UseDepthPeelingOn();
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> OffscreenWindow::Grab()
 {
   vtkNew<vtkWindowToImageFilter> grabber;
   grabber->SetInput(this->Window);
-  grabber->SetInputBufferTypeToRGB();
+  if (this->Transparent)
+  {
+    grabber->SetInputBufferTypeToRGBA();
+  }
+  else
+  {
+    grabber->SetInputBufferTypeToRGB();
+  }
   grabber->ReadFrontBufferOff();
   grabber->ShouldRerenderOff();
   grabber->Update();

@@ -26,13 +26,20 @@ public:
    */
   double Render();
 
-  /** The last frame, unsigned char RGB. */
+  /**
+   * Before the first frame: what nothing is drawn over becomes clear. Translucent props are peeled from
+   * then on, without which VTK 9.1 writes a wrong alpha.
+   */
+  void MakeTransparent();
+
+  /** The last frame, unsigned char RGB, or RGBA where the window is transparent. */
   vtkSmartPointer<vtkImageData> Grab();
 
 private:
   vtkSmartPointer<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
   bool Opened = false;
+  bool Transparent = false;
 };
 
 #endif

@@ -8,6 +8,10 @@
 #include "Techniques.h"
 
 #include "vtkAreaLight.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkPropCollection.h"
+#include "vtkShadowScenes.h"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -31,6 +35,7 @@ struct RenderOptions
   std::string Visibility;
   std::string Statistics;
   int Frames = 1;
+  bool ShadowCatcher = false;
   bool AsJson = false;
 };
 
@@ -44,6 +49,7 @@ vtkSmartPointer<vtkShadowPass> MakePass(const RenderOptions& options)
                             : !options.DebugView.empty()           ? "--debug-view"
                             : !options.Parameters.Settings.empty() ? "--set"
                             : !options.Parameters.Quality.empty()  ? "--quality"
+                            : options.ShadowCatcher                ? "--shadow-catcher"
                                                                    : nullptr;
     if (pointless)
     {
@@ -59,6 +65,30 @@ vtkSmartPointer<vtkShadowPass> MakePass(const RenderOptions& options)
     Messages::Check();
   }
   return pass;
+}
+
+//------------------------------------------------------------------------------
+// Of the grounds, which the scenes mark, only the shadow is to show.
+void MakeCatcher(OffscreenWindow& window)
+{
+  bool found = false;
+  vtkPropCollection* props = window.GetRenderer()->GetViewProps();
+  vtkCollectionSimpleIterator iterator;
+  props->InitTraversal(iterator);
+  while (vtkProp* prop = props->GetNextProp(iterator))
+  {
+    vtkInformation* keys = prop->GetPropertyKeys();
+    if (keys && keys->Has(vtkShadowScenes::GROUND()))
+    {
+      vtkShadowPass::SetShadowCatcher(prop, true);
+      found = true;
+    }
+  }
+  if (!found)
+  {
+    throw Failure("--shadow-catcher: there is no ground; put one there with --ground.");
+  }
+  window.MakeTransparent();
 }
 
 //------------------------------------------------------------------------------
@@ -90,7 +120,7 @@ void Render(const RenderOptions& options)
   const auto pass = MakePass(options);
 
   Outputs outputs;
-  outputs.PlanPicture(options.Picture, 3);
+  outputs.PlanPicture(options.Picture, options.ShadowCatcher ? 4 : 3);
   if (!options.Visibility.empty())
   {
     outputs.PlanPicture(options.Visibility, 1);
@@ -102,6 +132,10 @@ void Render(const RenderOptions& options)
 
   OffscreenWindow window(options.Scene.Size.data(), options.Scene.SamplesPerPixel);
   const Scene scene = options.Scene.Build(window.GetRenderer());
+  if (options.ShadowCatcher)
+  {
+    MakeCatcher(window);
+  }
   if (pass && !pass->IsSupported(window.GetOpenWindow()))
   {
     throw Failure(options.Technique + " cannot run here: " + pass->GetUnsupportedReason() + ".");
@@ -160,6 +194,10 @@ void DeclareRender(CLI::App& app)
     ->type_name("NAME")
     ->group("Technique");
   options->Parameters.Declare(*command);
+  command
+    ->add_flag("--shadow-catcher", options->ShadowCatcher,
+      "Show of the ground only the shadow on it, in a picture with alpha (png, exr, tif)")
+    ->group("Picture");
   command
     ->add_option("--debug-view", options->DebugView,
       "Show visibility, penumbra, cost, or what the technique adds")

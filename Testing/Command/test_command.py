@@ -26,7 +26,7 @@ ENVIRONMENT = dict(os.environ)
 
 
 def read_png(path):
-    """The pixels of an 8-bit RGB PNG, height x width x 3."""
+    """The pixels of an 8-bit PNG, height x width x 3 (RGB) or 4 (RGBA)."""
     with open(path, "rb") as file:
         data = file.read()
     assert data[:8] == b"\x89PNG\r\n\x1a\n", path + " is no PNG"
@@ -37,24 +37,25 @@ def read_png(path):
         at += 12 + length
         if kind == b"IHDR":
             width, height, depth, color = struct.unpack(">IIBB", body[:10])
-            assert (depth, color) == (8, 2), path + " is not 8-bit RGB"
+            assert depth == 8 and color in (2, 6), path + " is not 8-bit RGB or RGBA"
+            channels = 3 if color == 2 else 4
         elif kind == b"IDAT":
             packed += body
-    stride, raw = 3 * width, zlib.decompress(packed)
-    rows, above = [], bytes(stride + 3)  # each with a black pixel at its left
+    stride, raw = channels * width, zlib.decompress(packed)
+    rows, above = [], bytes(stride + channels)  # each with a black pixel at its left
     for y in range(height):
-        kind, row = raw[y * (stride + 1)], bytearray(3)
+        kind, row = raw[y * (stride + 1)], bytearray(channels)
         for i, value in enumerate(raw[y * (stride + 1) + 1:(y + 1) * (stride + 1)]):
-            left, up, corner = row[i], above[i + 3], above[i]
+            left, up, corner = row[i], above[i + channels], above[i]
             if kind == 4:  # Paeth: whichever is nearest to left + up - corner
                 distances = abs(up - corner), abs(left - corner), abs(left + up - 2 * corner)
                 expected = (left, up, corner)[distances.index(min(distances))]
             else:
                 expected = (0, left, up, (left + up) // 2)[kind]
             row.append((value + expected) & 255)
-        rows.append(row[3:])
+        rows.append(row[channels:])
         above = bytes(row)
-    return numpy.array(rows, int).reshape(height, width, 3)
+    return numpy.array(rows, int).reshape(height, width, channels)
 
 
 def setUpModule():
@@ -214,6 +215,22 @@ class Render(CommandTest):
         self.assertEqual(point.stderr, "")
         self.assertIn("note: the light has no size", zero.stderr)
         self.assertTrue(self.compare("zero.png", "point.png")["equal"])
+
+    def test_shadow_catcher(self):
+        model = self.write("a.obj", models.obj())
+        options = ["render", model, *SMALL, "--ground", "--technique", "map-hard"]
+        self.succeed(*options, "-o", "catcher.png", "--shadow-catcher")
+        self.succeed(*options, "-o", "picture.png")
+        alpha = read_png(self.path("catcher.png"))[..., 3]
+        picture = read_png(self.path("picture.png"))
+        self.assertEqual(picture.shape[2], 3)
+        self.assertGreater((alpha == 0).mean(), 0.3)  # the ground in light, and the background
+        self.assertGreater((alpha == 255).mean(), 0.05)  # the model, and a hard shadow
+        # At a hard shadow's edge alone, which is filtered over a texel.
+        self.assertLess(((alpha > 0) & (alpha < 255)).mean(), 0.005)
+        self.expect_failure(1, ["--ground"], "render", model, "-o", "a.png", "--shadow-catcher")
+        self.expect_failure(2, ["--shadow-catcher"], "render", model, "--ground", "-o", "a.png",
+                            "--technique", "none", "--shadow-catcher")
 
     def test_outputs(self):
         result = self.succeed(
