@@ -256,12 +256,9 @@ void vtkShadowPass::Internals::SetToPixel(
               glm::inverse(getPixels(viewport[0], viewport[1], viewport[2], viewport[3]) *
                            getPlane(glm::make_mat4(vcdc->GetData())));
   }
-  float columns[9]; // SetUniformMatrix3x3 takes them as they lie
-  for (int i = 0; i < 9; ++i)
-  {
-    columns[i] = static_cast<float>(toPixel[i / 3][i % 3]);
-  }
-  program->SetUniformMatrix3x3("shadowToPixel", columns);
+  // The views differ in their angle and place in the window alone: a scale and an offset.
+  const glm::vec4 scaleAndOffset(toPixel[0][0], toPixel[1][1], toPixel[2][0], toPixel[2][1]);
+  program->SetUniform4f("shadowToPixel", glm::value_ptr(scaleAndOffset));
 }
 
 //------------------------------------------------------------------------------

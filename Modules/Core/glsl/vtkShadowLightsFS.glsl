@@ -7,8 +7,8 @@
 // The pixel of the screen-space buffers. Their evaluation draws into the like of them; a prop may be
 // drawn beside a window's origin, or by a delegate into a larger picture of the same view.
 #ifdef SHADOW_INJECTED
-uniform mat3 shadowToPixel;
-#define SHADOW_PIXEL ivec2(floor((shadowToPixel * vec3(gl_FragCoord.xy, 1.0)).xy))
+uniform vec4 shadowToPixel; // scale, offset
+#define SHADOW_PIXEL ivec2(floor(shadowToPixel.xy * gl_FragCoord.xy + shadowToPixel.zw))
 #else
 #define SHADOW_PIXEL ivec2(gl_FragCoord.xy)
 #endif
