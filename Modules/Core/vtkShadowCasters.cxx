@@ -55,6 +55,7 @@ struct Placed
   vtkProp* Prop;
   glm::dmat4 MeshToWorld;
   double Opacity;
+  bool Receives;
 };
 
 /**
@@ -146,6 +147,7 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer, vtkTranslucentCasters trans
   {
     const glm::dmat4 modelToWorld = glm::transpose(glm::make_mat4(matrix->GetData()));
     const std::size_t before = placed.size();
+    const bool receives = vtkShadowPass::GetReceiving(root);
     const auto addSurface = [&](const vtkShadowSurface& surface)
     {
       const bool weighted = surface.Translucent && translucent == vtkTranslucentCasters::Weighted;
@@ -164,8 +166,8 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer, vtkTranslucentCasters trans
       }
       if (!entry.Mesh->Indices.empty() || entry.Mesh->Dropped > 0)
       {
-        placed.push_back(
-          { entry.Mesh, prop, glm::translate(modelToWorld, entry.Mesh->Centre), opacity });
+        placed.push_back({ entry.Mesh, prop, glm::translate(modelToWorld, entry.Mesh->Centre),
+          opacity, receives });
       }
     };
     if (vtkShadowPass::GetCasting(root) && !vtkShadowPass::GetShadowCatcher(root))
@@ -173,8 +175,7 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer, vtkTranslucentCasters trans
       vtkForEachShadowSurface(prop, matrix, addSurface);
     }
     auto* actor = vtkActor::SafeDownCast(prop);
-    if (placed.size() != before || !actor || !actor->GetMapper() ||
-        !vtkShadowPass::GetReceiving(root))
+    if (placed.size() != before || !actor || !actor->GetMapper() || !receives)
     {
       return;
     }
@@ -231,7 +232,8 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer, vtkTranslucentCasters trans
   const glm::dmat4 worldToWC = glm::translate(glm::dmat4(1.0), -this->Origin);
   for (const auto& item : placed)
   {
-    vtkShadowCaster caster{ item.Mesh, item.Prop, worldToWC * item.MeshToWorld, item.Opacity, {} };
+    vtkShadowCaster caster{ item.Mesh, item.Prop, worldToWC * item.MeshToWorld, item.Opacity,
+      item.Receives, {} };
     changed = changed || meshesChanged ||
               caster.MeshToWC != this->Casters[casters.size()].MeshToWC ||
               caster.Opacity != this->Casters[casters.size()].Opacity;

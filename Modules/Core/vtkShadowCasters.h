@@ -51,6 +51,8 @@ struct VTKSOFTSHADOWSCORE_EXPORT vtkShadowCaster
   glm::dmat4 MeshToWC{ 1.0 };
   /** Of parts of the lights (vtkShadowLight::LeastOpacity), those up to this one see it. */
   double Opacity = 1.0;
+  /** Its prop, or the assembly that this is a part of, receives shadows. */
+  bool Receives = true;
   /** Corners of the mesh's box in WC. */
   std::array<glm::dvec3, 8> Corners;
 

@@ -2,7 +2,6 @@
 
 #include "vtkShadowCasters.h"
 #include "vtkShadowLight.h"
-#include "vtkShadowPass.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -202,7 +201,7 @@ bool vtkShadowPlanes::Update(const vtkShadowCasters& casters, int limit)
   std::vector<bool> receiving;
   for (const auto& caster : casters.Get())
   {
-    receiving.push_back(!caster.Mesh->Flat || vtkShadowPass::GetReceiving(caster.Prop));
+    receiving.push_back(!caster.Mesh->Flat || caster.Receives);
   }
   if (limit == this->LastLimit && casters.GetVersion() == this->CasterVersion &&
       casters.GetReceiverVersion() == this->ReceiverVersion && receiving == this->Receiving &&
