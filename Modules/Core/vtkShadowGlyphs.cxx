@@ -179,7 +179,8 @@ vtkSmartPointer<vtkPolyData> MakeSticks(vtkOpenGLStickMapper* mapper, vtkPolyDat
   vtkDataArray* sizes = GetArray(input, mapper->*Sticks::Scale);
   vtkDataArray* directions = GetArray(input, mapper->*Sticks::Orientation);
   Copies copies;
-  if (sizes && directions)
+  if (sizes && directions && sizes->GetNumberOfComponents() >= 2 &&
+      directions->GetNumberOfComponents() == 3)
   {
     vtkNew<vtkCylinderSource> cylinder; // along y, of length and radius 1
     cylinder->SetRadius(1.0);

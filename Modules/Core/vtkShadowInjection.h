@@ -1,4 +1,4 @@
-// The text work of injecting visibility into VTK's shaders: see ARCHITECTURE.md, "Injection".
+// The text work of injecting visibility into VTK's shaders: see architecture.md.
 
 #ifndef vtkShadowInjection_h
 #define vtkShadowInjection_h

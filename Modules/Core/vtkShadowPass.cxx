@@ -54,6 +54,7 @@ void vtkShadowPass::Render(const vtkRenderState* s)
   vtkOpenGLClearErrorMacro();
   this->Attach(renderer);
   my.Window->MakeCurrent();
+  my.Rendering = true; // what is drawn may take the pass off the renderer
   my.Timers.StartFrame();
   ++my.Frames;
   my.BufferValid = my.GlassValid = false;
@@ -84,6 +85,12 @@ void vtkShadowPass::Render(const vtkRenderState* s)
   {
     this->EvaluateVisibility(debug);
   }
+  else if (!my.BufferAskedFor)
+  {
+    my.Buffer.Release(my.Window);
+    my.Glass.Release(my.Window);
+  }
+  my.BufferAskedFor = false;
 
   this->UpdateInjection(false);
   if (my.Active)
@@ -118,6 +125,11 @@ void vtkShadowPass::Render(const vtkRenderState* s)
     this->DeactivateLightData(my.Frame);
   }
   vtkOpenGLCheckErrorMacro("failed after vtkShadowPass::Render");
+  my.Rendering = false;
+  if (my.RemovedMeanwhile)
+  {
+    this->Detach();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -394,6 +406,7 @@ void vtkShadowPass::Detach()
   }
   my.Renderer = nullptr;
   my.Window = nullptr;
+  my.RemovedMeanwhile = false;
   my.Props.clear();
 }
 
@@ -410,7 +423,11 @@ void vtkShadowPass::ReleaseWhenRemoved(vtkObject*, unsigned long event, void*)
   {
     my.Drawn = false;
   }
-  if (removed)
+  if (removed && my.Rendering)
+  {
+    my.RemovedMeanwhile = true;
+  }
+  else if (removed)
   {
     this->Detach();
   }

@@ -48,6 +48,7 @@ class vtkProp;
 class vtkRenderWindow;
 class vtkVisibilityBuffer;
 struct vtkShadowFrame;
+struct vtkShadowLight;
 struct vtkShadowParameter;
 struct vtkShadowTechnique;
 
@@ -138,7 +139,8 @@ public:
   /**
    * A shadow catcher is invisible but for the shadow on it: black, as opaque as the share of its
    * light that is in shadow, times its property's opacity. It is translucent, so that it is blended
-   * over what lies behind, and casts nothing. A picture with alpha, to be laid over another, needs the
+   * over what lies behind, and casts nothing; a physically based one is shaded by Phong, for only its
+   * lights are to count. A picture with alpha, to be laid over another, needs the
    * renderer's depth peeling (VTK 9.1 writes a wrong alpha without). Default: none is. Kept in the
    * prop's property keys (SHADOW_CATCHER). VTK draws it as an ordinary prop where there is no shadow
    * pass.
@@ -163,9 +165,10 @@ public:
    * viewport: "Visibility", float, 1 component (3 for a textured light), 1 where nothing is seen;
    * "Receiver", unsigned char, 1 where a surface is seen that is lit and receives, else 0. Translucent
    * surfaces are seen through, but not shadow catchers.
-   * The light is given by itself or by its place among the renderer's casting lights. A pass that
-   * evaluates forward draws the receivers for it now, of the scene and camera as they are now; a light
-   * that casts no shadow gives 1.
+   * The light is given by itself or by its place among the lights that cast here (those that are on,
+   * supported by the technique, and not beyond the sixteenth). A pass that evaluates forward draws the
+   * receivers for it, at the first call after a frame, of the scene and camera as they are then; a
+   * light that casts no shadow gives 1.
    * The image is the pass's own and stays until the next call; nullptr, with an error, before the
    * first frame.
    */
@@ -304,7 +307,7 @@ private:
   void MarkProps(bool mark);
   void RenderDelegate(const vtkRenderState* s);
   void DrawDebug();
-  vtkImageData* GetVisibilityOfSlot(int slot);
+  vtkImageData* GetVisibilityOf(const std::function<bool(const vtkShadowLight&, int)>& isMeant);
 
   class Internals;
   std::unique_ptr<Internals> Internal;

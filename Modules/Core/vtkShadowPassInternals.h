@@ -61,7 +61,10 @@ public:
   bool Active = false;                 // shadows are drawn in this frame
   bool BufferValid = false;            // the buffer holds the last frame
   bool GlassValid = false;
-  bool HasCatchers = false; // among the props
+  bool BufferAskedFor = false; // by GetVisibility, since the last frame
+  bool Rendering = false;
+  bool RemovedMeanwhile = false; // from the renderer, while it rendered
+  bool HasCatchers = false;      // among the props
   bool ScreenSpace = false;
   bool WritesReceivers = false; // what is drawn now fills the receivers' buffer
   int Size[2] = { 0, 0 };

@@ -2,6 +2,7 @@
 
 #include "vtkShadowPassInternals.h"
 
+#include "vtkAbstractMapper3D.h"
 #include "vtkActor.h"
 #include "vtkAssembly.h"
 #include "vtkAssemblyNode.h"
@@ -13,6 +14,7 @@
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPropCollection.h"
+#include "vtkProperty.h"
 
 #include <nlohmann/json.hpp>
 
@@ -83,6 +85,33 @@ bool GetSwitch(vtkInformation* keys, vtkInformationIntegerKey* key)
 {
   return !keys || !keys->Has(key) || keys->Get(key) != 0;
 }
+
+/** The level that was drawn last, or the first one; nullptr where it is no actor. */
+vtkActor* GetShownLevel(vtkLODProp3D* levels)
+{
+  // The level of a frame is chosen while it is drawn.
+  const int last = levels->GetLastRenderedLODID();
+  vtkNew<vtkPropCollection> actors;
+  levels->GetActors(actors);
+  for (int i = 0; i < actors->GetNumberOfItems(); ++i)
+  {
+    auto* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
+    if (last < 0 ||
+        static_cast<vtkAbstractMapper3D*>(actor->GetMapper()) == levels->GetLODMapper(last))
+    {
+      return actor;
+    }
+  }
+  return nullptr;
+}
+
+/** What SetShadowCatcher has to undo, kept in the key. */
+enum CatcherBits
+{
+  Catches = 1,
+  MadeTranslucent = 2,
+  MadePhong = 4
+};
 
 void SetSwitch(vtkProp* prop, vtkInformationIntegerKey* key, bool on)
 {
@@ -359,15 +388,45 @@ bool vtkShadowPass::GetReceiving(vtkProp* prop)
 //------------------------------------------------------------------------------
 void vtkShadowPass::SetShadowCatcher(vtkProp* prop, bool catches)
 {
-  SetSwitch(prop, vtkShadowPass::SHADOW_CATCHER(), catches);
+  if (catches == vtkShadowPass::GetShadowCatcher(prop))
+  {
+    return;
+  }
+  vtkInformation* before = prop->GetPropertyKeys();
+  int made = catches ? static_cast<int>(Catches) : before->Get(vtkShadowPass::SHADOW_CATCHER());
   vtkShadowPass::ForEachPart(prop,
-    [catches](vtkProp* part, vtkMatrix4x4*)
+    [&](vtkProp* part, vtkMatrix4x4*)
     {
-      if (auto* actor = vtkActor::SafeDownCast(part))
+      auto* actor = vtkActor::SafeDownCast(part);
+      if (!actor)
       {
-        actor->SetForceTranslucent(catches); // it is blended over what lies behind
+        return;
+      }
+      // It is blended over what lies behind; and only its lights are to count.
+      if (catches && !actor->GetForceTranslucent())
+      {
+        actor->ForceTranslucentOn();
+        made |= MadeTranslucent;
+      }
+      else if (!catches && (made & MadeTranslucent) != 0)
+      {
+        actor->ForceTranslucentOff();
+      }
+      if (catches && actor->GetProperty()->GetInterpolation() == VTK_PBR)
+      {
+        actor->GetProperty()->SetInterpolationToPhong();
+        made |= MadePhong;
+      }
+      else if (!catches && (made & MadePhong) != 0)
+      {
+        actor->GetProperty()->SetInterpolationToPBR();
       }
     });
+  SetSwitch(prop, vtkShadowPass::SHADOW_CATCHER(), catches);
+  if (catches)
+  {
+    prop->GetPropertyKeys()->Set(vtkShadowPass::SHADOW_CATCHER(), made);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -399,6 +458,15 @@ bool vtkShadowPass::GetLightCasting(vtkLight* light)
 void vtkShadowPass::ForEachPart(
   vtkProp* prop, const std::function<void(vtkProp*, vtkMatrix4x4*)>& function)
 {
+  const auto visit = [&function](vtkProp* part, vtkMatrix4x4* matrix)
+  {
+    auto* levels = vtkLODProp3D::SafeDownCast(part);
+    vtkProp* shown = levels ? GetShownLevel(levels) : part;
+    if (shown && matrix)
+    {
+      function(shown, matrix);
+    }
+  };
   if (prop->IsA("vtkAssembly") || prop->IsA("vtkPropAssembly"))
   {
     prop->InitPathTraversal();
@@ -407,32 +475,15 @@ void vtkShadowPass::ForEachPart(
       vtkAssemblyNode* node = path->GetLastNode();
       vtkProp* part = node->GetViewProp();
       vtkMatrix4x4* matrix = node->GetMatrix() ? node->GetMatrix() : part->GetMatrix();
-      if (part->GetVisibility() && matrix)
+      if (part->GetVisibility())
       {
-        function(part, matrix);
+        visit(part, matrix);
       }
     }
   }
-  else if (auto* levels = vtkLODProp3D::SafeDownCast(prop))
+  else
   {
-    // The level is chosen while drawing: this is the one of the last frame, or the first.
-    const int last = levels->GetLastRenderedLODID();
-    auto* shown = last >= 0 ? vtkMapper::SafeDownCast(levels->GetLODMapper(last)) : nullptr;
-    vtkNew<vtkPropCollection> actors;
-    levels->GetActors(actors);
-    for (int i = 0; i < actors->GetNumberOfItems(); ++i)
-    {
-      auto* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
-      if (!shown || actor->GetMapper() == shown)
-      {
-        function(actor, levels->GetMatrix());
-        return;
-      }
-    }
-  }
-  else if (vtkMatrix4x4* matrix = prop->GetMatrix())
-  {
-    function(prop, matrix);
+    visit(prop, prop->GetMatrix());
   }
 }
 

@@ -9,15 +9,16 @@
 #include "vtkOpenGLState.h"
 #include "vtkPointData.h"
 #include "vtkPointGaussianMapper.h"
+#include "vtkPropCollection.h"
 #include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
 #include "vtkShadowDebugFS.h"
 #include "vtkShadowPassInternals.h"
 #include "vtkShadowVTKVersion.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <iterator>
-#include <set>
+#include <utility>
 
 namespace
 {
@@ -76,6 +77,71 @@ private:
 
   std::vector<Of> Taken;
 };
+
+/** VTK does not write the depth of translucent props, but here the nearest counts: while it lives. */
+class DepthMasks
+{
+public:
+  explicit DepthMasks(const std::vector<vtkProp*>& props)
+  {
+    for (vtkProp* prop : props)
+    {
+      vtkInformation* keys = prop->GetPropertyKeys();
+      vtkInformationIntegerKey* key = vtkOpenGLActor::GLDepthMaskOverride();
+      this->Before.emplace_back(keys, keys->Has(key) ? keys->Get(key) : None);
+      keys->Set(key, 1);
+    }
+  }
+  ~DepthMasks()
+  {
+    for (auto before = this->Before.rbegin(); before != this->Before.rend(); ++before)
+    {
+      if (before->second == None)
+      {
+        before->first->Remove(vtkOpenGLActor::GLDepthMaskOverride());
+      }
+      else
+      {
+        before->first->Set(vtkOpenGLActor::GLDepthMaskOverride(), before->second);
+      }
+    }
+  }
+  DepthMasks(const DepthMasks&) = delete;
+  void operator=(const DepthMasks&) = delete;
+
+private:
+  static constexpr int None = -1;
+  std::vector<std::pair<vtkSmartPointer<vtkInformation>, int>> Before;
+};
+
+/** What a prop does where receivers are drawn. */
+enum class Role
+{
+  Receives, // by the code that is injected, which also tells what is unlit
+  Hides,    // drawn by shaders that nothing is injected into
+  Nothing   // blended over the picture though VTK takes it for opaque: it hides nothing
+};
+
+Role GetRole(vtkProp* prop)
+{
+  Role role = Role::Hides;
+  vtkShadowPass::ForEachPart(prop,
+    [&role](vtkProp* part, vtkMatrix4x4*)
+    {
+      auto* actor = vtkActor::SafeDownCast(part);
+      if (!actor || !actor->GetMapper() || actor->GetShaderProperty()->HasFragmentShaderCode())
+      {
+        return; // such as vtkCubeAxesActor, which draws by actors of its own
+      }
+      role = Role::Receives;
+      if (auto* points = vtkPointGaussianMapper::SafeDownCast(actor->GetMapper()))
+      {
+        const char* splat = points->GetSplatShaderCode();
+        role = points->GetEmissive() || !splat || !*splat ? Role::Nothing : Role::Receives;
+      }
+    });
+  return role;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -150,39 +216,32 @@ void vtkShadowPass::RenderReceivers(
   my.Written = &buffer;
   buffer.GetTarget().Activate(my.Window);
   this->MarkProps(true);
-  for (vtkProp* prop : my.Marked)
-  {
-    // VTK does not write the depth of translucent props, but here the nearest counts.
-    prop->GetPropertyKeys()->Set(vtkOpenGLActor::GLDepthMaskOverride(), 1);
-  }
+  const DepthMasks depthMasks(my.Marked);
+  // First what hides receivers, wherever it stands among the props.
   for (vtkProp* prop : my.Props)
   {
-    // What is drawn by others' shaders hides what lies behind it, and is no receiver. What glows is
-    // added to the picture and hides nothing.
-    bool ours = false;
-    bool glows = false;
-    vtkShadowPass::ForEachPart(prop,
-      [&](vtkProp* part, vtkMatrix4x4*)
-      {
-        auto* actor = vtkActor::SafeDownCast(part);
-        auto* points = actor ? vtkPointGaussianMapper::SafeDownCast(actor->GetMapper()) : nullptr;
-        ours = ours || actor;
-        glows = glows || (points && points->GetEmissive());
-      });
-    state->vtkglColorMask(ours, ours, ours, ours);
-    if (!translucent && !glows)
+    if (!translucent && GetRole(prop) == Role::Hides)
+    {
+      state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+      prop->RenderOpaqueGeometry(my.Renderer);
+    }
+  }
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  for (vtkProp* prop : my.Props)
+  {
+    if (GetRole(prop) != Role::Receives)
+    {
+      continue;
+    }
+    if (!translucent)
     {
       prop->RenderOpaqueGeometry(my.Renderer);
     }
-    if (ours && (translucent || (withCatchers && vtkShadowPass::GetShadowCatcher(prop))) &&
+    if ((translucent || (withCatchers && vtkShadowPass::GetShadowCatcher(prop))) &&
         prop->HasTranslucentPolygonalGeometry())
     {
       prop->RenderTranslucentPolygonalGeometry(my.Renderer);
     }
-  }
-  for (vtkProp* prop : my.Marked)
-  {
-    prop->GetPropertyKeys()->Remove(vtkOpenGLActor::GLDepthMaskOverride());
   }
   this->MarkProps(false);
   buffer.GetTarget().Deactivate(my.Window);
@@ -302,30 +361,20 @@ void vtkShadowPass::DrawDebug()
 //------------------------------------------------------------------------------
 vtkImageData* vtkShadowPass::GetVisibility(vtkLight* light)
 {
-  for (const auto& part : this->Internal->Frame.Lights)
-  {
-    if (part.Light == light)
-    {
-      return this->GetVisibilityOfSlot(part.Slot);
-    }
-  }
-  return this->GetVisibilityOfSlot(-1);
+  return this->GetVisibilityOf(
+    [light](const vtkShadowLight& part, int) { return part.Light == light; });
 }
 
 //------------------------------------------------------------------------------
 vtkImageData* vtkShadowPass::GetVisibility(int light)
 {
-  std::set<int> slots;
-  for (const auto& part : this->Internal->Frame.Lights)
-  {
-    slots.insert(part.Slot);
-  }
-  const bool known = light >= 0 && light < static_cast<int>(slots.size());
-  return this->GetVisibilityOfSlot(known ? *std::next(slots.begin(), light) : -1);
+  return this->GetVisibilityOf(
+    [light](const vtkShadowLight&, int number) { return number == light; });
 }
 
 //------------------------------------------------------------------------------
-vtkImageData* vtkShadowPass::GetVisibilityOfSlot(int slot)
+vtkImageData* vtkShadowPass::GetVisibilityOf(
+  const std::function<bool(const vtkShadowLight&, int)>& isMeant)
 {
   Internals& my = *this->Internal;
   if (!my.Window || !my.Renderer || !my.Holding)
@@ -334,12 +383,27 @@ vtkImageData* vtkShadowPass::GetVisibilityOfSlot(int slot)
     return nullptr;
   }
   my.Window->MakeCurrent();
+  my.BufferAskedFor = true;
   if (!my.BufferValid || my.HasCatchers)
   {
+    // Of what is in the renderer now, whatever the frame showed.
+    my.Props.clear();
+    vtkCollectionSimpleIterator cookie;
+    vtkPropCollection* props = my.Renderer->GetViewProps();
+    props->InitTraversal(cookie);
+    while (vtkProp* prop = props->GetNextProp(cookie))
+    {
+      if (prop->GetVisibility())
+      {
+        my.Props.emplace_back(prop);
+      }
+    }
     vtkOpenGLState* state = my.Window->GetState();
     state->Push();
+    const auto counts = my.Frame.Counts; // statistics are about the frame
     my.Active = this->PrepareShadows(my.Renderer);
     this->EvaluateVisibility(true);
+    my.Frame.Counts = counts;
     state->Pop();
   }
   if (!my.BufferValid)
@@ -358,11 +422,14 @@ vtkImageData* vtkShadowPass::GetVisibilityOfSlot(int slot)
   visibility->SetNumberOfComponents(components);
   visibility->SetNumberOfTuples(pixels);
   visibility->Fill(1.0);
+  int number = -1; // of the light that a part belongs to
   for (std::size_t part = 0; my.Active && part < my.Frame.Lights.size(); ++part)
   {
-    const float share = static_cast<float>(my.Frame.Lights[part].Share);
-    if (my.Frame.Lights[part].Slot == slot)
+    const vtkShadowLight& light = my.Frame.Lights[part];
+    number += part == 0 || light.Slot != my.Frame.Lights[part - 1].Slot ? 1 : 0;
+    if (isMeant(light, number))
     {
+      const float share = static_cast<float>(light.Share);
       const auto values = my.Buffer.ReadTarget(my.Window, static_cast<int>(part));
       float* sum = visibility->GetPointer(0);
       for (vtkIdType i = 0; i < pixels * components; ++i)

@@ -7,8 +7,11 @@
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeRange.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetSurfaceFilter.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkImageMapper3D.h"
+#include "vtkImageProperty.h"
 #include "vtkImageSlice.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
@@ -143,7 +146,27 @@ void ForEachSurfaceOfActor(vtkActor* actor, vtkMatrix4x4* matrix, const Function
     }
     return;
   }
-  if (!surfaces || !(mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkCompositePolyDataMapper")))
+  if (surfaces && mapper->IsA("vtkDataSetMapper") && !vtkPolyData::SafeDownCast(input))
+  {
+    if (auto* data = vtkDataSet::SafeDownCast(input))
+    {
+      surface.From.Input = data;
+      surface.Time = data->GetMTime();
+      HandOn(
+        surface, mapper, matrix,
+        [data]
+        {
+          vtkNew<vtkDataSetSurfaceFilter> skin;
+          skin->SetInputData(data);
+          skin->Update();
+          return vtkSmartPointer<vtkPolyData>(skin->GetOutput());
+        },
+        function);
+    }
+    return;
+  }
+  if (!surfaces || !(mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkDataSetMapper") ||
+                     mapper->IsA("vtkCompositePolyDataMapper")))
   {
     return;
   }
@@ -197,7 +220,8 @@ void ForEachSurfaceOfSlice(vtkImageSlice* slice, const Function& function)
   surface.From.Input = mapper->GetInputDataObject(0, 0);
   surface.From.Mapper = mapper;
   surface.From.Details.assign(box.begin(), box.end()); // which is all that counts
-  surface.Translucent = slice->HasTranslucentPolygonalGeometry() != 0;
+  surface.Opacity = slice->GetProperty()->GetOpacity();
+  surface.Translucent = surface.Opacity < 1.0 || slice->HasTranslucentPolygonalGeometry() != 0;
   surface.MakePolygons = [box, flat]
   {
     double corners[3][3];

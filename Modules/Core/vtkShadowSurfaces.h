@@ -1,6 +1,7 @@
 // What a prop draws that can cast a shadow: polygons, also where its mapper makes them on the GPU.
 //
 //   polygons of the input    as they are; the blocks of composite data each for itself
+//   the skin of a grid       as vtkDataSetMapper draws it
 //   glyphs                   the sources' polygons at each point (vtkGlyph3DMapper)
 //   spheres, sticks          of imposters: inscribed polyhedra, finer the fewer there are
 //   Gaussian points          that do not glow: spheres out to where they are half opaque, or of their

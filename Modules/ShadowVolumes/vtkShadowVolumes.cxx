@@ -318,6 +318,8 @@ bool vtkShadowVolumes::NeedsCaps(
     vtkPlaneCollection* clipping = actor->GetMapper()->GetClippingPlanes();
     if (actor->GetProperty()->GetBackfaceCulling() || actor->GetProperty()->GetFrontfaceCulling() ||
         (clipping && clipping->GetNumberOfItems() > 0) ||
+        actor->HasTranslucentPolygonalGeometry() ||
+        actor->GetMapper()->IsA("vtkPointGaussianMapper") ||
         caster.Mesh->NotFinite > 0) // VTK culls what has such bounds
     {
       return true;

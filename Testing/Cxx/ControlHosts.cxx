@@ -3,6 +3,8 @@
 #include "ShadowStage.h"
 #include "ShadowTest.h"
 
+#include "vtkCallbackCommand.h"
+#include "vtkMapper.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
@@ -106,4 +108,60 @@ SHADOW_TEST(Control, Overlay, Each)
   }
   ShadowTest::CheckAtLeast(static_cast<double>(yellow), 200.0, "pixels of the text");
   ShadowTest::CheckEqual(static_cast<double>(other), 0.0, "other pixels that changed");
+}
+
+//------------------------------------------------------------------------------
+// GetVisibility after the lights or, with forward evaluation, the props have changed: of the light that
+// was meant, and of what is there now.
+SHADOW_TEST(Control, VisibilityOfNow, Each)
+{
+  ShadowStage stage;
+  stage.AddThings();
+  vtkActor* box = stage.AddBox({ 1.8, -1.0, 0.5 }, { 0.5, 0.5, 1.0 });
+  vtkLight* first = stage.AddLight(LightKind::Point);
+  vtkLight* second = stage.AddLight(LightKind::Point, { 3.0, -2.0, 5.0 }, { 0.0, 0.0, 0.0 });
+  stage.SetPass(technique);
+  stage.Render();
+  const Visibility before = stage.GetVisibility(second);
+  ShadowTest::Check(Same(stage.GetVisibility(1), before), "number 1 is not the second light");
+  first->SwitchOff();
+  ShadowTest::Check(Same(stage.GetVisibility(second), before), "V of the second light changed");
+  stage.Render();
+  ShadowTest::Check(Same(stage.GetVisibility(0), before), "the second light is not number 0");
+  stage.Render();
+  const double rebuilt = stage.Count("castersRebuilt");
+  stage.Renderer->RemoveActor(box);
+  if (stage.GetStatistics()["evaluation"] == "forward")
+  {
+    const Visibility now = stage.GetVisibility(second);
+    ShadowTest::CheckEqual(stage.Count("castersRebuilt"), rebuilt, "statistics of the frame");
+    stage.Render();
+    ShadowTest::Check(Same(stage.GetVisibility(second), now), "V is not of what is there now");
+    ShadowTest::Check(!Same(now, before), "a box taken away changes nothing");
+  }
+}
+
+//------------------------------------------------------------------------------
+// What is drawn may take the pass off its renderer: this frame is still drawn, the next has none.
+SHADOW_TEST(Control, TakenOffWhileRendering, Each)
+{
+  ShadowStage stage;
+  vtkActor* box = stage.AddThings();
+  stage.AddLight(LightKind::Point);
+  stage.Render();
+  const Picture plain = stage.GetPicture();
+  stage.SetPass(technique);
+  stage.Render();
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(stage.Renderer.Get());
+  command->SetCallback([](vtkObject*, unsigned long, void* renderer, void*)
+    { static_cast<vtkRenderer*>(renderer)->SetPass(nullptr); });
+  const unsigned long observer =
+    box->GetMapper()->AddObserver(vtkCommand::UpdateShaderEvent, command);
+  stage.Render();
+  box->GetMapper()->RemoveObserver(observer);
+  ShadowTest::CheckEqual(static_cast<double>(stage.GetBytes()), 0.0, "bytes");
+  stage.Render();
+  ShadowTest::Check(Same(stage.GetPicture(), plain), "not the picture of no pass");
+  ShadowTest::CheckNoMessage("taken off");
 }

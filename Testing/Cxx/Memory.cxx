@@ -152,3 +152,18 @@ SHADOW_TEST(Memory, ChangingFramesDoNotGrow, Each)
   ShadowTest::CheckEqual(static_cast<double>(stage.GetBytes()), bytes, "bytes");
   ShadowTest::CheckEqual(stage.CountGLObjects(), objects, "objects");
 }
+
+//------------------------------------------------------------------------------
+// What GetVisibility needs beyond the frame's own goes again with the next frame but one.
+SHADOW_TEST(Memory, VisibilityIsGivenBack, Each)
+{
+  ShadowStage stage;
+  Build(stage, technique);
+  stage.SetPass(technique);
+  stage.Render();
+  const auto bytes = static_cast<double>(stage.GetBytes());
+  stage.GetVisibility();
+  stage.Render();
+  stage.Render();
+  ShadowTest::CheckEqual(static_cast<double>(stage.GetBytes()), bytes, "bytes");
+}

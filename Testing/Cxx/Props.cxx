@@ -1,9 +1,13 @@
 // Every kind of prop goes on being drawn as VTK draws it, and casts the shadow of what VTK draws.
 
+#include "ShadowOracle.h"
 #include "ShadowProps.h"
 #include "ShadowTest.h"
 
 #include "vtkCamera.h"
+#include "vtkPointGaussianMapper.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkPropCollection.h"
 
 #include <glm/geometric.hpp>
@@ -151,7 +155,7 @@ SHADOW_TEST(Props, CastWhatTheLightSees, Each)
       if (count == 0 || count == 9)
       {
         auto& of = wrong[stage.GetNearest(point + 0.13 * (place - point))];
-        of.first += visibility.Mask[i] && (visibility.V[i] < 0.5) != (count == 9);
+        of.first += !visibility.Mask[i] || (visibility.V[i] < 0.5) != (count == 9);
         of.second += count == 9;
         ++used;
       }
@@ -189,6 +193,48 @@ SHADOW_TEST(Props, WhatHasNoSurfaceCastsNothing, Each)
     }
     ShadowTest::CheckEqual(shadowed, 0.0, "pixels in shadow");
   }
+}
+
+//------------------------------------------------------------------------------
+// Soft points, as VTK draws them by default, cast balls, and are no veil over what lies behind them.
+SHADOW_TEST(Props, SoftPointsHideNothing, Each)
+{
+  ShadowStage stage;
+  stage.AddFloor();
+  vtkNew<vtkPoints> places;
+  places->InsertNextPoint(0.0, 0.0, 1.2);
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(places);
+  vtkNew<vtkPointGaussianMapper> mapper;
+  mapper->SetInputData(data);
+  mapper->SetScaleFactor(0.3);
+  mapper->EmissiveOff();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  stage.Renderer->AddActor(actor);
+  const glm::dvec3 light(0.0, 0.0, 6.0);
+  stage.AddLight(LightKind::Point, light, glm::dvec3(0.0));
+  stage.LookAt({ 0.0, -6.0, 5.0 }, { 0.0, 0.0, 0.3 });
+  stage.SetPass(technique, { { "resolution", "1024" }, { "samples", "4" } });
+  stage.Render();
+  const Visibility visibility = stage.GetVisibility();
+  actor->VisibilityOff();
+  const ShadowOracle oracle(stage);
+  // Half opaque at a radius of 0.3 sqrt(2 ln 2), from the light's height onto the floor.
+  const double radius = 0.3 * std::sqrt(2.0 * std::log(2.0)) * 6.0 / 4.8;
+  std::size_t wrong = 0;
+  std::size_t dark = 0;
+  for (std::size_t i = 0; i < visibility.V.size(); ++i)
+  {
+    const double distance = glm::length(glm::dvec2(oracle.GetPixels()[i].Position));
+    if (oracle.GetPixels()[i].Actor && std::abs(distance - radius) > 0.04)
+    {
+      dark += visibility.V[i] == 0.0f;
+      wrong += !visibility.Mask[i] || (visibility.V[i] < 0.5f) != (distance < radius);
+    }
+  }
+  ShadowTest::CheckAtLeast(static_cast<double>(dark), 100.0, "dark pixels");
+  ShadowTest::CheckAtMost(static_cast<double>(wrong), 10.0, "wrong pixels");
 }
 
 //------------------------------------------------------------------------------

@@ -1,5 +1,6 @@
 #include "ShadowProps.h"
 
+#include "vtkAppendFilter.h"
 #include "vtkAssembly.h"
 #include "vtkBitArray.h"
 #include "vtkCamera.h"
@@ -7,6 +8,7 @@
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkConeSource.h"
 #include "vtkCubeSource.h"
+#include "vtkDataSetMapper.h"
 #include "vtkFixedPointVolumeRayCastMapper.h"
 #include "vtkFloatArray.h"
 #include "vtkFollower.h"
@@ -34,6 +36,7 @@
 #include "vtkShadowVTKVersion.h"
 #include "vtkSphereSource.h"
 #include "vtkTexture.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -367,6 +370,36 @@ const std::vector<ShadowProp>& GetShadowProps()
         vtkNew<vtkImageSlice> slice;
         slice->SetMapper(mapper);
         stage.Renderer->AddViewProp(slice);
+      } },
+    { "translucent image slice", false,
+      [](Stage stage, Place at)
+      {
+        vtkNew<vtkImageSliceMapper> mapper;
+        mapper->SetInputData(MakeImage(at, 1));
+        vtkNew<vtkImageSlice> slice;
+        slice->SetMapper(mapper);
+        slice->GetProperty()->SetOpacity(0.4);
+        stage.Renderer->AddViewProp(slice);
+      } },
+    { "skin of a grid", true,
+      [](Stage stage, Place at)
+      {
+        vtkNew<vtkAppendFilter> grid;
+        grid->AddInputData(MakeImage(at, 5));
+        grid->Update();
+        vtkNew<vtkDataSetMapper> mapper;
+        mapper->SetInputData(grid->GetOutput());
+        AddActor(stage, mapper);
+      } },
+    { "level-of-detail prop in a prop assembly", true,
+      [](Stage stage, Place at)
+      {
+        vtkNew<vtkLODProp3D> prop;
+        prop->AddLOD(MakeCubeMapper(glm::dvec3(0.0), { 0.4, 0.3, 0.5 }), 0.0);
+        prop->SetPosition(at.x, at.y, at.z);
+        vtkNew<vtkPropAssembly> assembly;
+        assembly->AddPart(prop);
+        stage.Renderer->AddViewProp(assembly);
       } },
     { "level-of-detail actor", true,
       [](Stage stage, Place at)
