@@ -1,0 +1,238 @@
+// The pass's part in the shaders of VTK's mappers: what is injected, and its uniforms.
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkShadowInjectFS.h"
+#include "vtkShadowInjection.h"
+#include "vtkShadowLightsFS.h"
+#include "vtkShadowPassInternals.h"
+#include "vtkShadowVTKVersion.h"
+
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <array>
+
+//------------------------------------------------------------------------------
+std::string vtkShadowPass::Internals::GetPreamble() const
+{
+  std::string text = "#define SHADOW_LIGHTS " +
+                     std::to_string(std::max<std::size_t>(1, this->Frame.Lights.size())) +
+                     "\n#define SHADOW_VISIBILITY " + (this->Frame.Color ? "vec3" : "float") + "\n";
+  return this->Frame.Hard ? text + "#define SHADOW_HARD\n" : text;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::Internals::SetLights(vtkShaderProgram* program)
+{
+  float place[MaximumLights][4] = {};
+  float u[MaximumLights][4] = {};
+  float v[MaximumLights][4] = {};
+  const glm::dmat4 worldToVC = this->Frame.GetWorldToVC();
+  const auto set = [&worldToVC](float* target, const glm::dvec3& vector, double isPoint, double w)
+  {
+    const glm::dvec4 vectorVC = worldToVC * glm::dvec4(vector, isPoint);
+    for (int c = 0; c < 3; ++c)
+    {
+      target[c] = static_cast<float>(vectorVC[c]);
+    }
+    target[3] = static_cast<float>(w);
+  };
+  const int count = static_cast<int>(this->Frame.Lights.size());
+  for (int i = 0; i < count; ++i)
+  {
+    const vtkShadowLight& light = this->Frame.Lights[i];
+    const bool sphere = light.Kind == vtkShadowLight::Shape::Sphere;
+    const double isPoint = light.IsDirectional() ? 0.0 : 1.0;
+    set(place[i], light.IsDirectional() ? -light.Direction : light.Position, isPoint, isPoint);
+    set(u[i], light.U, 0.0, sphere ? glm::length(light.U) : 0.0);
+    set(v[i], light.V, 0.0, light.Kind == vtkShadowLight::Shape::Rectangle ? 1.0 : 0.0);
+  }
+  if (count > 0)
+  {
+    program->SetUniform4fv("shadowLightPlaceVC", count, place);
+    program->SetUniform4fv("shadowLightUVC", count, u);
+    program->SetUniform4fv("shadowLightVVC", count, v);
+  }
+  program->SetUniformf("shadowLeastRounding", static_cast<float>(this->Frame.LeastRounding));
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::Internals::SetToPixel(
+  vtkShaderProgram* program, const std::array<int, 4>& viewport)
+{
+  // From one picture's plane to the other's, both at distance 1: p = plane * [x, y] + offset.
+  const auto getPlane = [](const glm::dmat4& vcToClip)
+  {
+    const glm::dvec2 offset = vcToClip[3][3] != 0.0 ? glm::dvec2(vcToClip[3]) / vcToClip[3][3]
+                                                    : glm::dvec2(vcToClip[2]) / vcToClip[2][3];
+    return glm::dmat3(glm::dvec3(vcToClip[0].x, vcToClip[0].y, 0.0),
+      glm::dvec3(vcToClip[1].x, vcToClip[1].y, 0.0), glm::dvec3(offset, 1.0));
+  };
+  const auto getPixels = [](double x, double y, double width, double height) // from -1..1
+  {
+    return glm::dmat3(
+      0.5 * width, 0.0, 0.0, 0.0, 0.5 * height, 0.0, x + 0.5 * width, y + 0.5 * height, 1.0);
+  };
+  glm::dmat3 toPixel(1.0);
+  toPixel[2] = glm::dvec3(-viewport[0], -viewport[1], 1.0);
+  auto* camera = vtkOpenGLCamera::SafeDownCast(this->Renderer->GetActiveCamera());
+  if (camera && (viewport[2] != this->Size[0] || viewport[3] != this->Size[1]))
+  {
+    vtkMatrix4x4 *wcvc, *vcdc, *wcdc;
+    vtkMatrix3x3* normals;
+    camera->GetKeyMatrices(this->Renderer, wcvc, normals, vcdc, wcdc);
+    toPixel = getPixels(0.0, 0.0, this->Size[0], this->Size[1]) * getPlane(this->Frame.VCToClip) *
+              glm::inverse(getPixels(viewport[0], viewport[1], viewport[2], viewport[3]) *
+                           getPlane(glm::make_mat4(vcdc->GetData())));
+  }
+  // The views differ in their angle and place in the window alone: a scale and an offset.
+  const glm::vec4 scaleAndOffset(toPixel[0][0], toPixel[1][1], toPixel[2][0], toPixel[2][1]);
+  program->SetUniform4f("shadowToPixel", glm::value_ptr(scaleAndOffset));
+}
+
+//------------------------------------------------------------------------------
+std::string vtkShadowPass::GetLightsGLSL()
+{
+  return this->Internal->GetPreamble() + vtkShadowLightsFS;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::SetLightParameters(vtkShaderProgram* program)
+{
+  this->Internal->SetLights(program);
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::PreReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+{
+  vtkShadowInjection::Mark(fragmentShader);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::PostReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+{
+  vtkShadowInjection::Fill(
+    fragmentShader, this->Internal->Injected, vtkShadowPass::GetShadowCatcher(prop));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::UpdateInjection(bool writesReceivers)
+{
+  // A shader holds the code in use: none without shadows, and forward only what shades. In screen
+  // space both halves serve every frame, and one shader holds them: changing it would make the
+  // mappers build their sources anew each time.
+  Internals& my = *this->Internal;
+  vtkShadowInjection::Code code;
+  code.Receivers = writesReceivers || (my.Active && my.ScreenSpace);
+  code.Shading = my.Active && (my.ScreenSpace || !writesReceivers);
+  if (code.Receivers || code.Shading)
+  {
+    const bool forward = code.Shading && !my.ScreenSpace;
+    code.Declarations = my.GetPreamble() + (code.Receivers ? "#define SHADOW_RECEIVERS\n" : "") +
+                        "#define SHADOW_INJECTED\n" +
+                        (code.Shading && my.ScreenSpace ? "#define SHADOW_BUFFER\n" : "") +
+                        (forward ? "#define SHADOW_FORWARD\n" : "") + vtkShadowLightsFS +
+                        (forward ? this->GetVisibilityGLSL() : "") + vtkShadowInjectFS;
+    for (std::size_t i = 0; i < my.Frame.Lights.size(); ++i)
+    {
+      code.LightsOfSlot.resize(
+        std::max<std::size_t>(code.LightsOfSlot.size(), my.Frame.Lights[i].Slot + 1));
+      code.LightsOfSlot[my.Frame.Lights[i].Slot].push_back(static_cast<int>(i));
+    }
+  }
+  my.WritesReceivers = writesReceivers;
+  if (!(code == my.Injected))
+  {
+    my.Injected = std::move(code);
+    my.StageTime.Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkShadowPass::GetShaderStageMTime()
+{
+  return this->Internal->StageTime;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+{
+  Internals& my = *this->Internal;
+  if (my.Injected.Declarations.empty())
+  {
+    return true;
+  }
+  const bool receives = vtkShadowPass::GetReceiving(prop);
+  std::array<float, Internals::MaximumLights> attenuation{};
+  for (std::size_t i = 0; receives && i < my.Frame.Lights.size(); ++i)
+  {
+    attenuation[i] = static_cast<float>(my.Frame.Lights[i].Attenuation * my.Frame.Lights[i].Share);
+  }
+  program->SetUniform1fv(
+    "shadowAttenuation", std::max(1, static_cast<int>(my.Frame.Lights.size())), attenuation.data());
+  program->SetUniformi("shadowLightCount", static_cast<int>(my.Frame.Lights.size()));
+  program->SetUniformi("shadowReceives", receives);
+  program->SetUniformi("shadowCasts", vtkShadowPass::GetCasting(prop));
+  if (my.ScreenSpace)
+  {
+    auto* actor = vtkActor::SafeDownCast(prop);
+    const bool glass = my.GlassValid && actor && actor->IsRenderingTranslucentPolygonalGeometry();
+    program->SetUniformi("shadowWritesReceivers", my.WritesReceivers);
+    program->SetUniformi("shadowTranslucent", prop->HasTranslucentPolygonalGeometry() != 0);
+    // Set while receivers are written too, or they would share a unit with the prop's own textures.
+    // The receivers themselves cannot be bound then.
+    auto& buffer = my.WritesReceivers ? *my.Written : (glass ? my.Glass : my.Buffer);
+    auto& receivers = my.WritesReceivers ? buffer.GetTarget() : buffer.GetReceivers();
+    program->SetUniformi("shadowReceivers", receivers.GetUnit());
+    program->SetUniformi("shadowBuffer", buffer.GetTarget().GetUnit());
+  }
+  // The rest is the same for all props that are drawn to one place.
+  std::array<int, 4> viewport;
+  my.Window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport.data());
+  if (viewport != my.Viewport)
+  {
+    my.Viewport = viewport;
+    my.UpToDatePrograms.clear();
+  }
+  if (!my.UpToDatePrograms.insert(program).second)
+  {
+    return true;
+  }
+  // VTK sets lights when they or the camera were modified, but this program's may be those of another
+  // renderer since.
+  if (auto* glRenderer = vtkOpenGLRenderer::SafeDownCast(my.Renderer))
+  {
+    program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
+    glRenderer->UpdateLightingUniforms(program);
+  }
+  vtkCamera* camera = my.Renderer->GetActiveCamera();
+  // Anything of the magnitude of a pixel at the focal point does.
+  const double height =
+    camera->GetParallelProjection() ? camera->GetParallelScale() : camera->GetDistance();
+  // A mirror within the view turns VC along with the picture; one behind it, the picture alone.
+  vtkMatrix4x4* projection = camera->GetProjectionTransformMatrix(1.0, -1.0, 1.0);
+  const bool mirrors = projection->GetElement(0, 0) * projection->GetElement(1, 1) <
+                       projection->GetElement(0, 1) * projection->GetElement(1, 0);
+  program->SetUniformf("shadowUnit", static_cast<float>((mirrors ? -500.0 : 500.0) / height));
+  my.SetLights(program);
+  my.SetToPixel(program, viewport);
+  if (!my.ScreenSpace && !my.WritesReceivers)
+  {
+    this->SetVisibilityParameters(program);
+  }
+  return true;
+}
