@@ -178,6 +178,10 @@ class Stage:
         position = np.array(self.renderer.GetActiveCamera().GetPosition())
         return position, far[..., :3] / far[..., 3:] - position
 
+    def floor_points(self):
+        """The point of the plane z = 0 that each pixel shows, or would."""
+        return meet(*self.rays(), 0)
+
 
 class Scene(Stage):
     """A built-in scene."""
