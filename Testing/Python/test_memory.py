@@ -9,9 +9,9 @@ import unittest
 from shadow_testing import Scene, TestCase, create, family_names, has_parameter, main, \
     statistics, technique_names, visibility, vss
 
-# Megabytes that the process may grow by over 100 times on and off. At most 1.2 were measured, all of
-# them in the first 40 and none after: the allocator's pages, with which llvmpipe draws. What a pass
-# holds is some 0.3 at least (a visibility buffer, a map of 256 x 256): 30 if it leaked each time.
+# Megabytes that the process may grow by over 100 times on and off. At most 1.2 were measured, of any
+# technique and all of it in the first 60: pages that the allocator keeps. What a pass holds is 0.3 at
+# least (a visibility buffer, a map of 256 x 256), which would be 30 if each time leaked it.
 GROWTH = 4
 
 
