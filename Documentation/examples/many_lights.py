@@ -54,7 +54,7 @@ pillar.SetPosition(1.6, 0.5, 0.9)
 # VTK's kit: a key light, a fill, a headlight and two at the back, which go with the camera. They
 # come into the renderer in that order (headlight last); only the key is to cast.
 kit = vtkLightKit()
-kit.SetKeyLightIntensity(0.4)
+kit.SetKeyLightIntensity(0.5)
 kit.AddLightsToRenderer(renderer)
 lights = renderer.GetLights()
 for i in range(lights.GetNumberOfItems()):

@@ -13,7 +13,8 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 import vtksoftshadows
 
 LATITUDE, DECLINATION = np.radians(50), np.radians(0)  # at the equinox, when days have 12 hours
-HOURS = np.arange(6.25, 18, 0.5)
+STEP = 1 / 6
+HOURS = np.arange(6 + STEP / 2, 18, STEP)
 
 
 def direction_to_sun(hour):
@@ -78,16 +79,14 @@ for hour in HOURS:
     window.Render()
     image = shadows.GetVisibility(sun)  # the share of the sun that each pixel sees
     visibility = vtk_to_numpy(image.GetPointData().GetArray("Visibility")).reshape(400, 600)
-    hours = hours + visibility * (HOURS[1] - HOURS[0])
+    hours = hours + visibility * STEP
     print(f"{int(hour):02}:{int(hour % 1 * 60):02}  {1 - visibility.mean():4.0%} in shadow")
 print(f"{hours.mean():.1f} hours of sun on average, at least {hours.min():.1f}")
 
-# From blue, no sun, to yellow, sun all day, with a line each two hours.
+# From blue, no sun, to yellow, sun all day.
 scale = np.array([(0.10, 0.12, 0.35), (0.45, 0.20, 0.55), (0.90, 0.40, 0.35), (1.00, 0.90, 0.40)])
-share = hours / (len(HOURS) * (HOURS[1] - HOURS[0])) * (len(scale) - 1)
+share = hours / (len(HOURS) * STEP) * (len(scale) - 1)
 colors = np.stack([np.interp(share, range(len(scale)), scale[:, i]) for i in range(3)], axis=-1)
-band = np.floor(hours / 2 + 1e-4)
-colors[1:, 1:][(band[1:, 1:] != band[:-1, 1:]) | (band[1:, 1:] != band[1:, :-1])] *= 0.7
 picture = vtkImageData()
 picture.SetDimensions(600, 400, 1)
 picture.GetPointData().SetScalars(
