@@ -26,6 +26,12 @@ class Enable(TestCase):
         self.assertIsNone(scene.renderer.GetPass())
         self.assertTrue((self.look(scene) == before).all())
 
+    def test_a_keyword_has_underscores_for_hyphens(self):
+        scene = Scene("basic")
+        shadows = vss.enable(scene.renderer, translucent_casters="weighted", midpoint=False)
+        self.assertEqual(shadows.GetParameter("translucent-casters"), "weighted")
+        self.assertEqual(shadows.GetParameter("midpoint"), "off")
+
     def test_radius_is_of_plain_lights(self):
         scene = Scene("basic")
         light = vtkLight()
@@ -60,7 +66,8 @@ class Enable(TestCase):
         scene = Scene("basic")
         shadows = vss.enable(scene.renderer)
         for arguments in ({"technique": "map-nothing"}, {"samples": 0}, {"nothing": 1},
-                          {"radius": -1}, {"radius": float("nan")}):
+                          {"translucent_casters": "perhaps"}, {"radius": -1},
+                          {"radius": float("nan")}):
             with self.subTest(**arguments):
                 with self.assertRaises(ValueError):
                     vss.enable(scene.renderer, **arguments)

@@ -4,11 +4,10 @@ import json
 
 import numpy as np
 
-from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkLight
 
-from shadow_testing import SIZE, Scene, TestCase, array, create, describe, has_parameter, main, receivers, \
-    statistics, technique_names, visibility, vss
+from shadow_testing import SIZE, Scene, TestCase, array, create, describe, has_parameter, main, \
+    meet, receivers, statistics, technique_names, visibility, vss
 
 # RMSE of visibility over the floor's pixels that a technique may have. Exact ones are off by the
 # noise of their samples alone: 0.003 at 64 samples.
@@ -16,33 +15,10 @@ EXACT = 0.01
 APPROXIMATE = 0.15
 
 
-def rays(scene):
-    """The camera's position, and the direction of each pixel's ray."""
-    camera = scene.renderer.GetActiveCamera()
-    width, height = scene.window.GetSize()
-    matrix = vtkMatrix4x4()
-    matrix.DeepCopy(camera.GetCompositeProjectionTransformMatrix(width / height, -1, 1))
-    matrix.Invert()
-    inverse = np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
-    x, y = np.meshgrid((np.arange(width) + 0.5) / width * 2 - 1,
-                       (np.arange(height) + 0.5) / height * 2 - 1)
-    far = np.stack([x, y, np.ones_like(x), np.ones_like(x)], axis=-1) @ inverse.T
-    position = np.array(camera.GetPosition())
-    return position, far[..., :3] / far[..., 3:] - position
-
-
-def meet(position, direction, height):
-    """Where rays meet the plane z = height, NaN where they do not."""
-    with np.errstate(divide="ignore", invalid="ignore"):
-        t = (height - position[2]) / direction[..., 2]
-    t = np.where(t > 0, t, np.nan)
-    return position + t[..., None] * direction
-
-
 def floor_places(scene):
     """The floor point (x, y) of each pixel, and which pixels show the floor."""
     floor, (blocker,) = scene.actors()
-    position, direction = rays(scene)
+    position, direction = scene.rays()
     place = meet(position, direction, 0.0)
     bounds = floor.GetBounds()
     # A pixel of margin at the edges, where one place does not say what the pixel shows.
