@@ -62,8 +62,8 @@ balls = imposters(spheres, places, [COLORS[e] for e in elements],
                   radius=[RADII[e] for e in elements])
 
 pairs = [(i, j) for i in range(len(elements)) for j in range(i)
-         if np.linalg.norm(places[i] - places[j]) < 1.6 and (elements[i], elements[j]) != ("H", "H")
-         ]
+         if np.linalg.norm(places[i] - places[j]) < 1.6
+         and not elements[i] == elements[j] == "H"]
 sticks = vtkOpenGLStickMapper()
 sticks.SetOrientationArray("along")
 sticks.SetScaleArray("size")  # length, radius

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Hours of sun in a courtyard over a day, from visibility as data: shadow_as_data.py picture.png"""
+"""Hours of sun in a courtyard over a day, by visibility as data: shadow_as_data.py picture.png"""
 
 import sys
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Panes of coloured glass whose shadows are as dark as they are opaque: translucent.py picture.png"""
+"""Panes whose shadows are as dark as they are opaque: translucent.py picture.png"""
 
 import sys
 

@@ -49,7 +49,7 @@ def create(technique, **parameters):
 
 
 def create_fine(technique, **parameters):
-    """A pass for lights without a size: fine maps, and few samples, which are all the same then."""
+    """A pass for lights without a size: fine maps, and few samples, which are all the same."""
     fine = {"resolution": 1024, "samples": 4}
     parameters.update((name, value) for name, value in fine.items()
                       if has_parameter(technique, name))

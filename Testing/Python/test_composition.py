@@ -143,7 +143,7 @@ class Composition(TestCase):
                     np.testing.assert_array_equal(visibility(shadows), visibility(other))
 
     def test_picking(self):
-        # By rays and by hardware: the same props and cells as without shadows, and the picture stays.
+        # By rays and by hardware: the same props and cells as without shadows; the picture stays.
         def pick(stage):
             found = []
             for x in range(20, 160, 30):

@@ -9,9 +9,9 @@ import unittest
 from shadow_testing import Scene, TestCase, create, family_names, has_parameter, main, \
     statistics, technique_names, visibility, vss
 
-# Megabytes that the process may grow by over 100 times on and off. At most 1.2 were measured, of any
-# technique and all of it in the first 60: pages that the allocator keeps. What a pass holds is 0.3 at
-# least (a visibility buffer, a map of 256 x 256), which would be 30 if each time leaked it.
+# Megabytes that the process may grow by over 100 times on and off. At most 1.2 were measured, of
+# any technique and all of it in the first 60: pages that the allocator keeps. What a pass holds is
+# 0.3 at least (a visibility buffer, a map of 256 x 256), which would be 30 if each time leaked it.
 GROWTH = 4
 
 

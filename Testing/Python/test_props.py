@@ -183,7 +183,8 @@ class Props(TestCase):
                 with self.subTest(technique=name, prop=prop):
                     dark = (decided & (around == 9) & (which == i)).sum()
                     self.assertGreater(dark, 100)
-                    # A texel, or the sides of a polyhedron that stands for a ball, may reach further.
+                    # A texel, or the sides of a polyhedron that stands for a ball, may reach
+                    # further.
                     self.assertLessEqual((wrong & (which == i)).sum(), 0.03 * dark)
 
     def test_are_drawn_as_vtk_draws_them(self):

@@ -1,4 +1,4 @@
-"""Translucent props: by which rule they cast, and that they are drawn in VTK's order and receive."""
+"""Translucent props: by which rule they cast, and that they are drawn in VTK's order."""
 
 import numpy as np
 from vtkmodules.vtkRenderingOpenGL2 import vtkCameraPass, vtkDepthPeelingPass, \
@@ -20,7 +20,8 @@ class BoxStage(Stage):
         self.boxes = []
         # One above the other, the upper one to the right of the lower one.
         for i, opacity in enumerate(opacities):
-            self.boxes.append(self.add_box((0.5 * i, 0, 1 + 0.6 * i), (1, 1, 0.2), opacity=opacity))
+            place = (0.5 * i, 0, 1 + 0.6 * i)
+            self.boxes.append(self.add_box(place, (1, 1, 0.2), opacity=opacity))
         self.light = self.add_light(tuple(LIGHT))
         self.look_at((0, -6, 5))
 
@@ -37,7 +38,8 @@ class BoxStage(Stage):
         return inside
 
     def floor_pixels(self):
-        return ~self.covered(self.floor) & (np.abs(self.floor_points()[..., :2]) < 2.9).all(axis=-1)
+        on_floor = (np.abs(self.floor_points()[..., :2]) < 2.9).all(axis=-1)
+        return on_floor & ~self.covered(self.floor)
 
 
 def expected_of(rule, opacity):
@@ -109,7 +111,7 @@ def peeling(kind):
 
 class Peeling(TestCase):
     def check(self, stage, name, delegate=None):
-        """The floor is VTK's picture where it is lit, and where it is dark that of the light out."""
+        """The floor is VTK's picture where it is lit; where it is dark, that of the light out."""
         floor = stage.floor_pixels()
         boxes = stage.covered(stage.floor)
         plain = stage.render(delegate)
