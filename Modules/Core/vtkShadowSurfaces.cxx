@@ -14,6 +14,7 @@
 #include "vtkImageProperty.h"
 #include "vtkImageSlice.h"
 #include "vtkMapper.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPlane.h"
@@ -136,7 +137,9 @@ void ForEachSurfaceOfActor(vtkActor* actor, vtkMatrix4x4* matrix, const Function
   surface.Opacity = actor->GetProperty()->GetOpacity();
   if (vtkShadowGlyphs::IsMadeBy(mapper))
   {
-    if (input && (surfaces || !vtkShadowGlyphs::IsRepresented(mapper)))
+    // VTK does not draw what has no bounds, such as points without cells.
+    const bool drawn = vtkMath::AreBoundsInitialized(mapper->GetBounds());
+    if (input && drawn && (surfaces || !vtkShadowGlyphs::IsRepresented(mapper)))
     {
       surface.From.Input = input;
       surface.From.Mapper = mapper;

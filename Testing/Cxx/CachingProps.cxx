@@ -4,6 +4,7 @@
 #include "ShadowStage.h"
 #include "ShadowTest.h"
 
+#include "vtkCellArray.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkConeSource.h"
 #include "vtkCubeSource.h"
@@ -34,13 +35,16 @@ public:
     this->Parameters["translucent-casters"] = "weighted";
 
     vtkNew<vtkPoints> places;
+    vtkNew<vtkCellArray> cells; // without, VTK does not draw the balls
     this->Sizes->SetName("size");
     for (int i = 0; i < 3; ++i)
     {
-      places->InsertNextPoint(-2.0 + 0.6 * i, -0.5, 0.6);
+      const vtkIdType id = places->InsertNextPoint(-2.0 + 0.6 * i, -0.5, 0.6);
+      cells->InsertNextCell(1, &id);
       this->Sizes->InsertNextValue(0.2f + 0.05f * static_cast<float>(i));
     }
     this->Points->SetPoints(places);
+    this->Points->SetVerts(cells);
     this->Points->GetPointData()->AddArray(this->Sizes);
     this->Cone->SetHeight(0.5);
     this->Glyphs->SetInputData(this->Points);
