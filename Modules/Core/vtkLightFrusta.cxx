@@ -141,11 +141,9 @@ vtkLightFrusta::vtkLightFrusta(
 {
   const auto& all = casters.Get();
   auto receivers = casters.GetReceivers();
-  const auto sees = [&](const vtkShadowCaster& caster)
-  { return caster.Opacity >= light.LeastOpacity; };
   for (const auto& caster : all)
   {
-    if (!sees(caster))
+    if (!caster.IsSeenBy(light))
     {
       receivers.push_back(caster.Corners); // for this part of the light
     }
@@ -163,7 +161,7 @@ vtkLightFrusta::vtkLightFrusta(
   for (std::size_t i = 0; i < all.size(); ++i)
   {
     const auto& caster = all[i];
-    if (caster.Mesh->Indices.empty() || !sees(caster))
+    if (caster.Mesh->Indices.empty() || !caster.IsSeenBy(light))
     {
       continue;
     }
@@ -202,7 +200,7 @@ vtkLightFrusta::vtkLightFrusta(
         };
         for (std::size_t j = 0; j < all.size(); ++j)
         {
-          if (j != i && sees(all[j]))
+          if (j != i && all[j].IsSeenBy(light))
           {
             addIfBehind(all[j].Corners);
           }

@@ -13,6 +13,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkShadowCasterFS.h"
 #include "vtkShadowCasterVS.h"
+#include "vtkShadowLight.h"
 #include "vtkShadowPass.h"
 #include "vtkShadowSurfaces.h"
 #include "vtkShadowVTKVersion.h"
@@ -102,6 +103,12 @@ public:
   std::vector<GLint> FirstVertices;    // of each caster
   std::size_t Bytes = 0;
 };
+
+//------------------------------------------------------------------------------
+bool vtkShadowCaster::IsSeenBy(const vtkShadowLight& light) const
+{
+  return this->Opacity >= light.LeastOpacity;
+}
 
 //------------------------------------------------------------------------------
 glm::dvec3 vtkShadowCaster::GetMiddle() const

@@ -34,6 +34,7 @@ class vtkOpenGLRenderWindow;
 class vtkProp;
 class vtkRenderer;
 class vtkShaderProgram;
+struct vtkShadowLight;
 
 /** Whether translucent casters cast: not at all, as if they were opaque, or by their opacity. */
 enum class vtkTranslucentCasters
@@ -55,6 +56,9 @@ struct VTKSOFTSHADOWSCORE_EXPORT vtkShadowCaster
   bool Receives = true;
   /** Corners of the mesh's box in WC. */
   std::array<glm::dvec3, 8> Corners;
+
+  /** Whether a part of a light has it in its way. */
+  bool IsSeenBy(const vtkShadowLight& light) const;
 
   ///@{ A sphere around it, in WC.
   glm::dvec3 GetMiddle() const;

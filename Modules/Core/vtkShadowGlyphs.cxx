@@ -19,7 +19,6 @@
 #include "vtkQuaternion.h"
 #include "vtkShadowMesh.h"
 #include "vtkSphereSource.h"
-#include "vtkTriangleFilter.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -91,20 +90,6 @@ private:
   vtkNew<vtkPoints> Points; // floats, as VTK places them on the GPU
   vtkNew<vtkCellArray> Polygons;
 };
-
-vtkSmartPointer<vtkPolyData> Triangulate(vtkPolyData* source)
-{
-  if (source->GetNumberOfStrips() == 0)
-  {
-    return source;
-  }
-  vtkNew<vtkTriangleFilter> filter;
-  filter->SetInputData(source);
-  filter->PassVertsOff();
-  filter->PassLinesOff();
-  filter->Update();
-  return filter->GetOutput();
-}
 
 /** Sides of a circle that stand for the round, so that all together have two million triangles. */
 int GetSides(double count)
@@ -385,7 +370,7 @@ vtkSmartPointer<vtkPolyData> MakeGlyphs(vtkGlyph3DMapper* mapper)
     sources.emplace_back();
     for (vtkPolyData* part : parts)
     {
-      sources.back().push_back(Triangulate(part));
+      sources.back().push_back(vtkShadowMesh::Triangulate(part));
     }
   }
   Copies copies;

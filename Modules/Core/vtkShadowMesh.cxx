@@ -30,25 +30,6 @@ glm::dvec3 GetPoint(vtkPoints* points, vtkIdType id)
   return { p[0], p[1], p[2] };
 }
 
-/** Triangles only: VTK's own triangulation where there are polygons or strips. */
-vtkSmartPointer<vtkPolyData> Triangulate(vtkPolyData* source)
-{
-  if (source->GetNumberOfStrips() == 0 && source->GetPolys()->GetMaxCellSize() <= 3)
-  {
-    return source;
-  }
-  vtkNew<vtkPolyData> polygons;
-  polygons->SetPoints(source->GetPoints());
-  polygons->SetPolys(source->GetPolys());
-  polygons->SetStrips(source->GetStrips());
-  vtkNew<vtkTriangleFilter> filter;
-  filter->SetInputData(polygons);
-  filter->PassVertsOff();
-  filter->PassLinesOff();
-  filter->Update();
-  return filter->GetOutput();
-}
-
 /** The plane of the largest triangle, if all vertices lie in it to float precision. */
 void FindPlane(vtkShadowMesh& mesh)
 {
@@ -94,6 +75,25 @@ vtkMTimeType vtkShadowMesh::GetShapeTime(vtkPolyData* source)
   }
   time = std::max(time, source->GetPolys()->GetMTime());
   return std::max(time, source->GetStrips()->GetMTime());
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> vtkShadowMesh::Triangulate(vtkPolyData* source)
+{
+  if (source->GetNumberOfStrips() == 0 && source->GetPolys()->GetMaxCellSize() <= 3)
+  {
+    return source;
+  }
+  vtkNew<vtkPolyData> polygons;
+  polygons->SetPoints(source->GetPoints());
+  polygons->SetPolys(source->GetPolys());
+  polygons->SetStrips(source->GetStrips());
+  vtkNew<vtkTriangleFilter> filter;
+  filter->SetInputData(polygons);
+  filter->PassVertsOff();
+  filter->PassLinesOff();
+  filter->Update();
+  return filter->GetOutput();
 }
 
 //------------------------------------------------------------------------------

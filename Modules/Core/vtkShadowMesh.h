@@ -3,6 +3,7 @@
 #ifndef vtkShadowMesh_h
 #define vtkShadowMesh_h
 
+#include "vtkSmartPointer.h"          // For triangles
 #include "vtkSoftShadowsCoreModule.h" // For export macro
 #include "vtkType.h"                  // For vtkMTimeType
 
@@ -36,6 +37,8 @@ struct VTKSOFTSHADOWSCORE_EXPORT vtkShadowMesh
 
   /** Polygons and strips of a vtkPolyData, triangulated. Vertices that no triangle uses go. */
   static std::shared_ptr<const vtkShadowMesh> Make(vtkPolyData* source);
+  /** Its polygons and strips as triangles, by VTK; itself where it has no others. */
+  static vtkSmartPointer<vtkPolyData> Triangulate(vtkPolyData* source);
   /** When the shape last changed: points and connectivity, not colours. */
   static vtkMTimeType GetShapeTime(vtkPolyData* source);
 };

@@ -144,7 +144,7 @@ void vtkPlanarShadow::Find(const vtkShadowCasters& casters, bool around)
   {
     const vtkShadowCaster& caster = casters.Get()[i];
     const double tolerance = Rounding * glm::length(caster.Corners[7] - caster.Corners[0]);
-    if (caster.Opacity < this->Light.LeastOpacity || this->Plane.Holds(caster) ||
+    if (!caster.IsSeenBy(this->Light) || this->Plane.Holds(caster) ||
         turned.Cut(caster.Corners, tolerance, 1e300).empty())
     {
       continue;

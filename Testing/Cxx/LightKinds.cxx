@@ -50,18 +50,6 @@ void CheckAgainstOracle(const std::string& technique, ShadowStage& stage, vtkLig
     ShadowTest::CheckEqual(GetRange(visibility).first, 0.0, what + ": there is a shadow");
   }
 }
-
-vtkLight* AddPlainLight(ShadowStage& stage, bool positional, const glm::dvec3& position)
-{
-  vtkNew<vtkLight> light;
-  light->SetLightTypeToSceneLight();
-  light->SetPositional(positional);
-  light->SetConeAngle(180.0);
-  light->SetPosition(position.x, position.y, position.z);
-  light->SetFocalPoint(0.0, 0.0, 0.0);
-  stage.Renderer->AddLight(light);
-  return light;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -70,11 +58,11 @@ SHADOW_TEST(LightKinds, PointOutside, Each)
   ShadowStage stage;
   AddRing(stage);
   CheckAgainstOracle(
-    technique, stage, AddPlainLight(stage, true, { -3.0, -2.0, 5.0 }), "from above");
+    technique, stage, stage.AddPlainLight(true, { -3.0, -2.0, 5.0 }), "from above");
   stage.Renderer->RemoveAllLights();
-  CheckAgainstOracle(technique, stage, AddPlainLight(stage, true, { 4.5, 1.0, 0.5 }), "from aside");
+  CheckAgainstOracle(technique, stage, stage.AddPlainLight(true, { 4.5, 1.0, 0.5 }), "from aside");
   stage.Renderer->RemoveAllLights();
-  CheckAgainstOracle(technique, stage, AddPlainLight(stage, true, { 0.5, 0.2, -3.0 }), "below");
+  CheckAgainstOracle(technique, stage, stage.AddPlainLight(true, { 0.5, 0.2, -3.0 }), "below");
 }
 
 //------------------------------------------------------------------------------
@@ -82,10 +70,10 @@ SHADOW_TEST(LightKinds, PointAmongCasters, Each)
 {
   ShadowStage stage;
   AddRing(stage);
-  CheckAgainstOracle(technique, stage, AddPlainLight(stage, true, { 0.05, 0.1, 0.7 }), "between");
+  CheckAgainstOracle(technique, stage, stage.AddPlainLight(true, { 0.05, 0.1, 0.7 }), "between");
   stage.Renderer->RemoveAllLights();
   CheckAgainstOracle(
-    technique, stage, AddPlainLight(stage, true, { 0.3, -0.4, 0.05 }), "just above the floor");
+    technique, stage, stage.AddPlainLight(true, { 0.3, -0.4, 0.05 }), "just above the floor");
 }
 
 //------------------------------------------------------------------------------
@@ -125,7 +113,7 @@ SHADOW_TEST(LightKinds, Spot, Each)
   ShadowStage stage;
   AddRing(stage);
   vtkLight* light =
-    AddPlainLight(stage, true, { -1.2, -1.5, 2.2 }); // so near that the ring exceeds the cone
+    stage.AddPlainLight(true, { -1.2, -1.5, 2.2 }); // so near that the ring exceeds the cone
   light->SetConeAngle(30.0);
   stage.SetPass(technique, Fine);
   stage.Render();
@@ -152,10 +140,10 @@ SHADOW_TEST(LightKinds, Directional, Each)
   ShadowStage stage;
   AddRing(stage);
   CheckAgainstOracle(
-    technique, stage, AddPlainLight(stage, false, { -0.3, -0.2, 0.5 }), "from above");
+    technique, stage, stage.AddPlainLight(false, { -0.3, -0.2, 0.5 }), "from above");
   stage.Renderer->RemoveAllLights();
   CheckAgainstOracle(
-    technique, stage, AddPlainLight(stage, false, { 1.0, 0.1, 0.1 }), "near the horizon");
+    technique, stage, stage.AddPlainLight(false, { 1.0, 0.1, 0.1 }), "near the horizon");
 }
 
 //------------------------------------------------------------------------------
@@ -164,7 +152,7 @@ SHADOW_TEST(LightKinds, Headlight, Each)
 {
   ShadowStage stage;
   AddRing(stage);
-  vtkLight* light = AddPlainLight(stage, true, { 0.0, 0.0, 1.0 });
+  vtkLight* light = stage.AddPlainLight(true, { 0.0, 0.0, 1.0 });
   light->SetLightTypeToHeadlight();
   CheckAgainstOracle(technique, stage, light, "positional", false);
   light->PositionalOff();
@@ -178,7 +166,7 @@ SHADOW_TEST(LightKinds, CameraLight, Each)
 {
   ShadowStage stage;
   AddRing(stage);
-  vtkLight* light = AddPlainLight(stage, true, { -0.6, 0.8, 1.0 });
+  vtkLight* light = stage.AddPlainLight(true, { -0.6, 0.8, 1.0 });
   light->SetLightTypeToCameraLight();
   CheckAgainstOracle(technique, stage, light, "positional");
   light->PositionalOff();
@@ -192,7 +180,7 @@ SHADOW_TEST(LightKinds, TransformedLight, Each)
 {
   ShadowStage stage;
   AddRing(stage);
-  vtkLight* light = AddPlainLight(stage, true, { 2.0, -2.0, 4.0 });
+  vtkLight* light = stage.AddPlainLight(true, { 2.0, -2.0, 4.0 });
   vtkNew<vtkMatrix4x4> turn; // a quarter about z: to (2, 2, 4)
   const double elements[16] = { 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
   turn->DeepCopy(elements);
@@ -215,12 +203,12 @@ SHADOW_TEST(LightKinds, SeveralLights, Each)
     property->SetAmbient(0.0);
     property->SetDiffuse(1.0);
   }
-  vtkLight* off = AddPlainLight(stage, true, { 2.0, 3.0, 5.0 });
+  vtkLight* off = stage.AddPlainLight(true, { 2.0, 3.0, 5.0 });
   off->SwitchOff();
-  vtkLight* first = AddPlainLight(stage, true, { -3.0, -2.0, 5.0 });
-  vtkLight* plain = AddPlainLight(stage, false, { 1.0, -1.0, 2.0 });
+  vtkLight* first = stage.AddPlainLight(true, { -3.0, -2.0, 5.0 });
+  vtkLight* plain = stage.AddPlainLight(false, { 1.0, -1.0, 2.0 });
   vtkShadowPass::SetLightCasting(plain, false);
-  vtkLight* half = AddPlainLight(stage, false, { 2.0, 0.5, 2.0 });
+  vtkLight* half = stage.AddPlainLight(false, { 2.0, 0.5, 2.0 });
   half->SetShadowAttenuation(0.5);
   first->SetColor(0.4, 0.1, 0.1);
   plain->SetColor(0.1, 0.3, 0.1);
@@ -295,7 +283,7 @@ SHADOW_TEST(LightKinds, DefaultRadius, Each)
     }
     else
     {
-      AddPlainLight(stage, true, { -3.0, -2.0, 5.0 });
+      stage.AddPlainLight(true, { -3.0, -2.0, 5.0 });
     }
     stage.SetPass(technique, { { "samples", "64" } })->SetDefaultLightRadius(area ? 0.0 : 0.6);
     stage.Render();

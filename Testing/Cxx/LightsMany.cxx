@@ -24,18 +24,6 @@ namespace
 constexpr double EdgeShare = 0.005;
 const Parameters Fine = { { "resolution", "1024" }, { "samples", "4" } };
 
-vtkLight* AddPlainLight(ShadowStage& stage, bool positional, const glm::dvec3& position)
-{
-  vtkNew<vtkLight> light;
-  light->SetLightTypeToSceneLight();
-  light->SetPositional(positional);
-  light->SetConeAngle(180.0);
-  light->SetPosition(position.x, position.y, position.z);
-  light->SetFocalPoint(0.0, 0.0, 0.0);
-  stage.Renderer->AddLight(light);
-  return light;
-}
-
 /** V against the oracle's; a shadow of more than an edge is there. Gives how many pixels are dark. */
 std::size_t CheckLight(const std::string& technique, ShadowStage& stage, const ShadowOracle& oracle,
   vtkLight* light, const std::string& what, const std::vector<unsigned char>& use = {})
@@ -74,9 +62,9 @@ std::vector<vtkLight*> AddSixteen(ShadowStage& stage)
     const double angle = glm::radians(24.0 * i);
     const double height = i % 3 == 0 ? 2.5 : 4.5;
     lights.push_back(
-      AddPlainLight(stage, i % 2 == 0, { 4.0 * std::cos(angle), 4.0 * std::sin(angle), height }));
+      stage.AddPlainLight(i % 2 == 0, { 4.0 * std::cos(angle), 4.0 * std::sin(angle), height }));
   }
-  lights.push_back(AddPlainLight(stage, true, { -2.0, -3.0, 5.0 }));
+  lights.push_back(stage.AddPlainLight(true, { -2.0, -3.0, 5.0 }));
   lights.back()->SetConeAngle(40.0);
   for (vtkLight* light : lights)
   {
@@ -181,7 +169,7 @@ SHADOW_TEST(LightsMany, SixteenAndOne, Each)
   ShadowTest::CheckEqual(static_cast<double>(wrong), 0.0, "values that are not the sum");
   ShadowTest::CheckNoMessage("sixteen");
 
-  vtkLight* more = AddPlainLight(stage, true, { 0.5, -4.0, 5.0 });
+  vtkLight* more = stage.AddPlainLight(true, { 0.5, -4.0, 5.0 });
   more->SetDiffuseColor(0.1, 0.1, 0.1);
   for (int frame = 0; frame < 2; ++frame)
   {
@@ -253,7 +241,7 @@ SHADOW_TEST(LightsMany, Cones, Each)
     const glm::dvec3 focus(0.0, 0.4, 0.6);
     const double distance = angle < 10.0 ? 90.0 : 2.6;
     const glm::dvec3 place = focus + distance * glm::normalize(glm::dvec3(-0.9, -0.7, 1.0));
-    vtkLight* light = AddPlainLight(stage, true, place);
+    vtkLight* light = stage.AddPlainLight(true, place);
     light->SetFocalPoint(focus.x, focus.y, focus.z);
     light->SetConeAngle(angle);
     stage.SetPass(technique, Fine);
@@ -285,11 +273,11 @@ SHADOW_TEST(LightsMany, ChangesBetweenFrames, Each)
 {
   ShadowStage stage;
   stage.AddThings();
-  vtkLight* head = AddPlainLight(stage, false, { 0.0, 0.0, 1.0 });
+  vtkLight* head = stage.AddPlainLight(false, { 0.0, 0.0, 1.0 });
   head->SetLightTypeToHeadlight();
-  vtkLight* camera = AddPlainLight(stage, true, { -0.8, 0.6, 0.4 });
+  vtkLight* camera = stage.AddPlainLight(true, { -0.8, 0.6, 0.4 });
   camera->SetLightTypeToCameraLight();
-  vtkLight* scene = AddPlainLight(stage, true, { -2.5, -2.0, 5.5 });
+  vtkLight* scene = stage.AddPlainLight(true, { -2.5, -2.0, 5.5 });
   const std::vector<vtkLight*> lights = { head, camera, scene };
   const std::pair<const char*, std::function<void()>> changes[] = {
     { "all three", [] {} },

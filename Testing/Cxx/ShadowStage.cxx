@@ -221,6 +221,19 @@ vtkAreaLight* ShadowStage::AddLight(
 }
 
 //------------------------------------------------------------------------------
+vtkLight* ShadowStage::AddPlainLight(bool positional, const glm::dvec3& position)
+{
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToSceneLight();
+  light->SetPositional(positional);
+  light->SetConeAngle(180.0);
+  light->SetPosition(position.x, position.y, position.z);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  this->Renderer->AddLight(light);
+  return light;
+}
+
+//------------------------------------------------------------------------------
 void ShadowStage::Shrink(vtkAreaLight* light, double factor)
 {
   light->SetRadius(factor * light->GetRadius());

@@ -72,6 +72,8 @@ public:
   /** Aimed at the origin from up left; its angular diameter or sides fit that. */
   vtkAreaLight* AddLight(LightKind kind);
   vtkAreaLight* AddLight(LightKind kind, const glm::dvec3& position, const glm::dvec3& focus);
+  /** One of VTK's own that shines all around, or a directional one; aimed at the origin. */
+  vtkLight* AddPlainLight(bool positional, const glm::dvec3& position);
   /** Make it a light of no size, but of its kind. */
   static void Shrink(vtkAreaLight* light, double factor = 0.0);
   void LookAt(const glm::dvec3& position, const glm::dvec3& focus, double viewAngle = 35.0);
