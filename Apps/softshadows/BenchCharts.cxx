@@ -50,17 +50,20 @@ void SetUpAxis(vtkAxis* axis, const std::string& title, const std::array<double,
   axis->SetLogScale(true);
   axis->GetTitleProperties()->SetFontSize(13 * Scale);
   axis->GetTitleProperties()->BoldOff();
+  axis->SetNotation(vtkAxis::PRINTF_NOTATION);
+  axis->SetLabelFormat("%.10g"); // no exponents
   axis->GetLabelProperties()->SetFontSize(12 * Scale);
+  axis->SetTickLength(5.0f * Scale);
+  axis->SetLabelOffset(8.0f * Scale);
   axis->GetGridPen()->SetColor(225, 225, 225, 255);
   axis->GetGridPen()->SetWidth(Scale);
   axis->GetPen()->SetWidth(Scale);
 }
 
 //------------------------------------------------------------------------------
-void AddCurve(vtkChartXY* chart, const CurveStyle& style,
-  const std::vector<std::array<double, 2>>& points)
+vtkSmartPointer<vtkTable> MakeTable(const std::vector<std::array<double, 2>>& points)
 {
-  vtkNew<vtkTable> table;
+  auto table = vtkSmartPointer<vtkTable>::New();
   for (int component = 0; component < 2; ++component)
   {
     vtkNew<vtkDoubleArray> column;
@@ -71,15 +74,30 @@ void AddCurve(vtkChartXY* chart, const CurveStyle& style,
     }
     table->AddColumn(column);
   }
+  return table;
+}
+
+//------------------------------------------------------------------------------
+void AddCurve(vtkChartXY* chart, const CurveStyle& style,
+  const std::vector<std::array<double, 2>>& points)
+{
+  const auto table = MakeTable(points);
+  const auto add = [chart, &table, &style](int kind, float markerSize) {
+    auto* plot = vtkPlotPoints::SafeDownCast(chart->AddPlot(kind));
+    plot->SetInputData(table, 0, 1);
+    plot->SetMarkerStyle(style.Marker);
+    plot->SetMarkerSize(markerSize * Scale);
+    return plot;
+  };
   // VTK draws no line through one point.
-  auto* plot = vtkPlotPoints::SafeDownCast(
-    chart->AddPlot(points.size() > 1 ? vtkChart::LINE : vtkChart::POINTS));
-  plot->SetInputData(table, 0, 1);
+  auto* plot = add(points.size() > 1 ? vtkChart::LINE : vtkChart::POINTS, 9.0f);
   plot->SetColor(style.Colour[0], style.Colour[1], style.Colour[2], style.Opacity);
   plot->SetWidth(Scale * style.Width);
   plot->GetPen()->SetLineType(style.Line);
-  plot->SetMarkerStyle(style.Marker);
-  plot->SetMarkerSize(8.0f * Scale);
+  if (style.IsHollow)
+  {
+    add(vtkChart::POINTS, 5.0f)->SetColor(255, 255, 255, 255);
+  }
 }
 }
 
@@ -96,7 +114,8 @@ std::string ChartPainter::Draw(const Chart& chart)
   vtkNew<vtkChartXY> plots;
   const auto x = FindRange(chart, 0);
   const auto y = FindRange(chart, 1);
-  SetUpAxis(plots->GetAxis(vtkAxis::BOTTOM), chart.XTitle, x);
+  // An empty line before the title: VTK leaves too little room for labels of that size.
+  SetUpAxis(plots->GetAxis(vtkAxis::BOTTOM), "\n" + chart.XTitle, x);
   SetUpAxis(plots->GetAxis(vtkAxis::LEFT), chart.YTitle, y);
   if (chart.Floor > 0.0)
   {

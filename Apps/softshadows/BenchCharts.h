@@ -18,8 +18,9 @@ struct CurveStyle
   std::array<unsigned char, 3> Colour = { 0, 0, 0 };
   unsigned char Opacity = 255;
   int Marker = vtkPlotPoints::NONE;
+  bool IsHollow = false; // the marker
   int Line = vtkPen::SOLID_LINE;
-  float Width = 1.5f; // pixels
+  float Width = 2.0f; // pixels
 };
 
 struct ChartCurve

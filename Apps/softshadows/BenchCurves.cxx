@@ -13,23 +13,23 @@ using Points = std::vector<std::array<double, 2>>;
 constexpr std::array<std::array<unsigned char, 3>, 7> colours = { { { 0, 114, 178 },
   { 213, 94, 0 }, { 0, 158, 115 }, { 204, 121, 167 }, { 86, 180, 233 }, { 230, 159, 0 },
   { 68, 34, 136 } } };
-constexpr std::array<unsigned char, 3> greys = { 80, 150, 115 };
+constexpr std::array<unsigned char, 3> greys = { 70, 130, 100 };
 
-// Seven colours and five markers: 35 techniques differ, neighbours in both.
-constexpr std::array<int, 5> markers = { vtkPlotPoints::CIRCLE, vtkPlotPoints::SQUARE,
-  vtkPlotPoints::DIAMOND, vtkPlotPoints::PLUS, vtkPlotPoints::CROSS };
-constexpr std::array<int, 3> dashes = { vtkPen::DASH_LINE, vtkPen::DASH_DOT_LINE,
-  vtkPen::DASH_DOT_DOT_LINE };
+// Filled and hollow. VTK's crosses are too thin. Seven colours and six markers: 42 techniques differ,
+// neighbours in both.
+constexpr std::array<int, 3> markers = { vtkPlotPoints::CIRCLE, vtkPlotPoints::SQUARE,
+  vtkPlotPoints::DIAMOND };
 
 //------------------------------------------------------------------------------
 CurveStyle MakeStyle(bool isPeer, std::size_t index)
 {
   CurveStyle style;
   style.Marker = markers[index % markers.size()];
+  style.IsHollow = index % (2 * markers.size()) >= markers.size();
   if (isPeer)
   {
     style.Colour.fill(greys[index % greys.size()]);
-    style.Line = dashes[index % dashes.size()];
+    style.Line = vtkPen::DASH_LINE;
   }
   else
   {
@@ -39,20 +39,16 @@ CurveStyle MakeStyle(bool isPeer, std::size_t index)
 }
 
 //------------------------------------------------------------------------------
-std::string GetSymbol(int marker)
+std::string GetSymbol(const CurveStyle& style)
 {
-  switch (marker)
+  switch (style.Marker)
   {
     case vtkPlotPoints::CIRCLE:
-      return "\u25cf";
+      return style.IsHollow ? "\u25cb" : "\u25cf";
     case vtkPlotPoints::SQUARE:
-      return "\u25a0";
-    case vtkPlotPoints::DIAMOND:
-      return "\u25c6";
-    case vtkPlotPoints::PLUS:
-      return "+";
+      return style.IsHollow ? "\u25a1" : "\u25a0";
     default:
-      return "\u00d7";
+      return style.IsHollow ? "\u25c7" : "\u25c6";
   }
 }
 
@@ -128,7 +124,7 @@ Json CurveStyles::GetLegend(const std::vector<Key>& keys) const
     std::snprintf(colour, sizeof(colour), "#%02x%02x%02x", style.Colour[0], style.Colour[1],
       style.Colour[2]);
     legend.push_back({ { "name", key.second }, { "peer", key.first }, { "colour", colour },
-      { "symbol", GetSymbol(style.Marker) } });
+      { "symbol", GetSymbol(style) } });
   }
   return legend;
 }

@@ -180,8 +180,8 @@ std::string WriteCount(const Number& value)
     return "";
   }
   std::string text = Print("%.0f", *value);
-  // Groups of three digits, from the end, with spaces that do not break.
-  for (std::size_t at = text.size(); at > 3;)
+  // From five digits on, groups of three from the end, with spaces that do not break.
+  for (std::size_t at = text.size(); at > 3 && *value > 9999.5;)
   {
     at -= 3;
     text.insert(at, "\u00a0");

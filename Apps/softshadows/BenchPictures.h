@@ -12,7 +12,7 @@ class vtkImageData;
 namespace BenchPictures
 {
 ///@{
-/** A picture file in base64. Failure if it cannot be made. */
+/** A picture file in base64: PNG for drawings of few colours. Failure if it cannot be made. */
 std::string EncodePNG(vtkImageData* picture);
 std::string EncodeJPEG(vtkImageData* picture);
 ///@}
