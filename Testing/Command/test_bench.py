@@ -160,12 +160,20 @@ class Report(BenchTest):
         self.assertEqual([row["entry"] for row in rows], [entry["id"] for entry in entries])
         self.assertEqual({row["case"] for row in rows}, {self.case["id"]})
         for row, entry in zip(rows, entries):
-            numbers = [float(text) for text in row.values() if re.fullmatch(r"[-+.\de]+", text)]
-            for number in (entry["error"]["rmse"], error_of(entry, "penumbra"),
-                           entry["time"]["static"]["median"], added(entry, "static"),
-                           entry["time"]["dynamic"]["median"], added(entry, "dynamic")):
-                self.assertTrue(any(math.isclose(n, number, rel_tol=1e-4, abs_tol=1e-9)
-                                    for n in numbers), (entry["id"], number, row))
+            figures = {"rmse": entry["error"]["rmse"], "bytes": entry["bytes"],
+                       "penumbra_rmse": error_of(entry, "penumbra"),
+                       "maximum": entry["error"]["maximum"],
+                       "correctness_percent": entry["picture"]["correctness_percent"],
+                       "psnr_db": entry["picture"]["psnr_db"],
+                       "build_ms": entry["time"]["build_milliseconds"]}
+            for kind in TIMES:
+                figures[kind + "_ms"] = entry["time"][kind]["median"]
+                figures[kind + "_added_ms"] = added(entry, kind)
+                figures[kind + "_ratio"] = entry["time"][kind]["ratio"]
+            for name, figure in figures.items():
+                self.assertEqual(row[name], "" if figure is None else row[name], entry["id"])
+                if figure is not None:
+                    self.assertAlmostEqual(float(row[name]), figure, places=9, msg=name)
 
     def test_html(self):
         text = Report.html
@@ -392,14 +400,16 @@ class Ends(BenchTest):
                 (2, ["--sweep", "samples"], [*scene, "--sweep", "samples"]),
                 (1, ["nonsense"], [*scene, "--sweep", "nonsense=1"]),
                 (1, ["nonsense"], [*scene, "--sweep", "map-pcss:nonsense=1"]),
-                (1, ["--budget"], [*scene, "--budget", "0"]),
-                (1, ["--frames"], [*scene, "--frames", "0"]),
-                (1, ["--lights"], [*scene, "--lights", "1,-1"]),
+                (2, ["--budget"], [*scene, "--budget", "0"]),
+                (2, ["--frames"], [*scene, "--frames", "0"]),
+                (2, ["--lights", "-1"], [*scene, "--lights", "1,-1"]),
+                (2, ["--lights", "x"], [*scene, "--lights", "x"]),
+                (2, ["quick", "scene"], ["bench", "--suite", "quick"]),
+                (2, ["--size", "suite"], ["bench", "--suite", "scaling", "--size", "9x9"]),
                 (2, ["nothing to draw"], ["bench"])):
             self.expect_failure(code, words, *arguments, *out)
-        self.expect_failure(2, ["--output"], *scene)
         model = self.write("a.ply", models.ply())
-        self.expect_failure(2, ["exclude"], "bench", model, "--suite", "scaling", *out)
+        self.expect_failure(2, ["suite"], "bench", model, "--suite", "scaling", *out)
         self.expect_failure(2, ["exclude"], "bench", model, "--scene", "blocker", *out)
         self.write("file", "")
         for place in ("none/out", "file/out", "file"):
