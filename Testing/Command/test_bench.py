@@ -423,7 +423,7 @@ class Ends(BenchTest):
                 (["title"], {"title": None}), (["entries"], {"entries": None}),
                 (["cases"], {"cases": [{"name": "no scene"}]}), (["siez"], {"siez": [1, 1]}),
                 (["reference"], {"reference": "many"}),
-                (["entries", "nonsense"], {"entries": [{"peer": "nonsense"}]}),
+                (["entries", "peer"], {"entries": [{"peer": "nonsense"}]}),
                 (["nonsense"], {"entries": [{"technique": "nonsense"}]}),
                 (["nonsense"], {"entries": [{"technique": "map-hard", "set": {"nonsense": 1}}]}),
                 (["nonsense"], {"cases": [{"scene": "nonsense"}]})):
