@@ -69,7 +69,7 @@ class BenchTest(CommandTest):
             self.skipTest("no jsonschema")
         with open(ROOT / "Documentation/results/results.schema.json") as file:
             schema = json.load(file)
-        jsonschema.validate(results, schema, jsonschema.Draft202012Validator)
+        jsonschema.validate(results, schema)
 
     def settings(self, results, technique):
         return [entry["setting"] for entry in results["cases"][0]["entries"]
@@ -82,12 +82,11 @@ class Suites(unittest.TestCase):
             self.skipTest("no jsonschema")
         folder = ROOT / "Apps/softshadows/suites"
         schema = json.loads((folder / "suite.schema.json").read_text())
-        jsonschema.Draft202012Validator.check_schema(schema)
         suites = [path for path in sorted(folder.glob("*.json")) if "schema" not in path.name]
         self.assertIn("quick.json", [path.name for path in suites])
         for path in suites:
             suite = json.loads(path.read_text())
-            jsonschema.validate(suite, schema, jsonschema.Draft202012Validator)
+            jsonschema.validate(suite, schema)
             keys = {case.get("published") for case in suite.get("cases", [])} - {None}
             names = [case.get("name", case["scene"]) for case in suite.get("cases", [])]
             self.assertEqual(len(names), len(set(names)), path.name)
@@ -100,10 +99,9 @@ class Suites(unittest.TestCase):
             self.skipTest("no jsonschema")
         folder = ROOT / "Documentation/results"
         schema = json.loads((folder / "results.schema.json").read_text())
-        jsonschema.Draft202012Validator.check_schema(schema)
+        jsonschema.validators.validator_for(schema).check_schema(schema)
         for path in folder.glob("*/results.json"):
-            jsonschema.validate(json.loads(path.read_text()), schema,
-                                jsonschema.Draft202012Validator)
+            jsonschema.validate(json.loads(path.read_text()), schema)
 
 
 class Report(BenchTest):
