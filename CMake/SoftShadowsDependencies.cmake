@@ -11,9 +11,9 @@ set(softshadows_vtk_components
   ChartsCore CommonColor CommonComputationalGeometry CommonCore CommonDataModel
   CommonExecutionModel CommonMath CommonSystem CommonTransforms FiltersCore FiltersFlowPaths
   FiltersGeneral FiltersGeometry FiltersModeling FiltersSources ImagingCore ImagingHybrid
-  InteractionStyle IOGeometry IOImage IOImport IOLegacy IOPLY IOXML RenderingAnnotation
-  RenderingCore RenderingFreeType RenderingLOD RenderingOpenGL2
-  RenderingVolume RenderingVolumeOpenGL2 TestingCore TestingRendering)
+  InteractionStyle IOCore IOGeometry IOImage IOImport IOLegacy IOPLY IOXML RenderingAnnotation
+  RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType RenderingLOD RenderingOpenGL2
+  RenderingVolume RenderingVolumeOpenGL2 TestingCore TestingRendering ViewsContext2D vtksys)
 if (SOFTSHADOWS_WRAP_PYTHON)
   list(APPEND softshadows_vtk_components Python WrappingPythonCore WrapPython)
 endif ()
@@ -39,4 +39,6 @@ endif ()
 if (SOFTSHADOWS_BUILD_APPS)
   find_package(CLI11 REQUIRED)
   find_package(Boost REQUIRED)
+  find_package(valijson REQUIRED)
+  find_path(MUSTACHE_INCLUDE_DIR kainjow/mustache.hpp REQUIRED)
 endif ()

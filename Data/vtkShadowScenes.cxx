@@ -42,7 +42,7 @@ const Scene Scenes[] = {
   { "cylinder", "A standing column, a lying one and leaning pipes", Cylinder, 1314, 0, 0 },
   { "tree", "A bare tree: thousands of thin branches", Tree, 35638, 0, 0 },
   { "boxes", "A heap of overlapping boxes", Boxes, 1802, 0, 0 },
-  { "plant", "An industrial plant: pipes, beams, tanks", Plant, 100000, 100000, 2000000 },
+  { "plant", "An industrial plant: pipes, beams, tanks", Plant, 100000, 10000, 2000000 },
   { "isosurface", "An isosurface: a gyroid ball", Isosurface, 0, 0, 0 },
   { "streamtubes", "Stream tubes of a tornado", Streamtubes, 0, 0, 0 },
   { "molecule", "A double helix and a fullerene of spheres and tubes", Molecule, 48450, 0, 0 },

@@ -52,7 +52,7 @@ public:
    * the renderer holds is removed.
    *
    * `triangles` is how many triangles the scene shall have, within 1 %; 0 takes the scene's default.
-   * Only `plant` can be told (100,000 to 2,000,000, default 100,000): a number that cannot be used
+   * Only `plant` can be told (10,000 to 2,000,000, default 100,000): a number that cannot be used
    * gives an error, and the scene is built at its default.
    *
    * Returns false, with an error, for an unknown name or no renderer.

@@ -6,13 +6,12 @@
 #include "OffscreenWindow.h"
 #include "Outputs.h"
 #include "Progress.h"
+#include "References.h"
 #include "Statistics.h"
 #include "Values.h"
 
 #include "vtkAreaLight.h"
-#include "vtkFloatArray.h"
 #include "vtkPictureMetrics.h"
-#include "vtkPointData.h"
 #include "vtkVisibilityMetrics.h"
 
 #include <algorithm>
@@ -25,8 +24,6 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 using Image = vtkSmartPointer<vtkImageData>;
-
-const char* const ReferenceTechnique = "ray-traced";
 
 /** A line of the table: a technique, or no shadows at all. */
 struct Row
@@ -41,13 +38,6 @@ struct Row
   unsigned long long Bytes = 0;
 };
 using Rows = std::vector<std::unique_ptr<Row>>;
-
-struct Reference
-{
-  Image Frame;
-  Image Visibility;
-  double Milliseconds = 0.0;
-};
 
 //------------------------------------------------------------------------------
 std::vector<std::string> GetTechniques(const CompareOptions& options)
@@ -90,88 +80,12 @@ Rows MakeRows(const CompareOptions& options)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkShadowPass> MakeReference(int samples)
-{
-  const auto known = Techniques::GetNames();
-  if (std::find(known.begin(), known.end(), ReferenceTechnique) == known.end())
-  {
-    throw Failure(
-      "this build has no reference to compare with: the technique ray-traced is missing "
-      "(SOFTSHADOWS_RAY_TRACING).");
-  }
-  auto pass = TechniqueOptions().Create(ReferenceTechnique, true);
-  pass->SetParameter("samples", std::to_string(samples));
-  Messages::Check("--reference-samples");
-  return pass;
-}
-
-//------------------------------------------------------------------------------
-Image Copy(vtkImageData* image)
-{
-  Messages::Check();
-  auto copy = Image::New();
-  copy->DeepCopy(image);
-  return copy;
-}
-
-//------------------------------------------------------------------------------
-Reference DrawReference(OffscreenWindow& window, vtkShadowPass* pass, vtkAreaLight* light)
-{
-  Reference reference;
-  const std::string samples = pass->GetParameter("samples");
-  window.GetRenderer()->SetPass(pass);
-  double expected = 0.0;
-  if (Progress::IsShown())
-  {
-    constexpr int few = 16;
-    pass->SetParameter("samples", std::to_string(few));
-    window.Render(); // sets all up
-    expected = window.Render() / few * std::stod(samples);
-    pass->SetParameter("samples", samples);
-  }
-  {
-    const ExpectedProgress progress("reference, " + samples + " rays a pixel", expected);
-    reference.Milliseconds = window.Render();
-  }
-  reference.Visibility = Copy(pass->GetVisibility(light));
-  reference.Frame = window.Grab();
-  return reference;
-}
-
-//------------------------------------------------------------------------------
-// Visibility where nothing casts a shadow.
-Image MakeUnshadowed(vtkImageData* like)
-{
-  Image all = Copy(like);
-  auto* values = vtkFloatArray::SafeDownCast(all->GetPointData()->GetArray("Visibility"));
-  values->FillValue(1.0f);
-  return all;
-}
-
-//------------------------------------------------------------------------------
-void FindUnsupported(Row& row, OffscreenWindow& window, const std::string& shape)
-{
-  if (!row.Pass)
-  {
-    return;
-  }
-  if (Techniques::Describe(row.Name)["lightShapes"].value(shape, "") == "unsupported")
-  {
-    row.Note = "does not support a " + shape + " light";
-  }
-  else if (!row.Pass->IsSupported(window.GetOpenWindow()))
-  {
-    row.Note = row.Pass->GetUnsupportedReason();
-  }
-}
-
-//------------------------------------------------------------------------------
 void Measure(Row& row, OffscreenWindow& window, vtkAreaLight* light, const Reference& reference)
 {
   window.GetRenderer()->SetPass(row.Pass);
   window.Render();
-  const Image visibility =
-    row.Pass ? Copy(row.Pass->GetVisibility(light)) : MakeUnshadowed(reference.Visibility);
+  const Image visibility = row.Pass ? References::Copy(row.Pass->GetVisibility(light))
+                                    : References::MakeUnshadowed(reference.Visibility);
   row.Frame = window.Grab();
   row.Visibility->SetImage(visibility);
   row.Visibility->SetReference(reference.Visibility);
@@ -302,7 +216,7 @@ void CompareTechniques(const CompareOptions& options)
     throw Failure("--frames is from 1 to 10000, not " + std::to_string(options.Frames) + ".");
   }
   Rows rows = MakeRows(options);
-  const auto referencePass = MakeReference(options.ReferenceSamples);
+  const auto referencePass = References::MakePass(options.ReferenceSamples);
   Outputs outputs;
   if (!options.Output.empty())
   {
@@ -312,10 +226,14 @@ void CompareTechniques(const CompareOptions& options)
   OffscreenWindow window(options.Scene.Size.data(), options.Scene.SamplesPerPixel);
   const Scene scene = options.Scene.Build(window.GetRenderer());
   Messages::ShowWarnings();
-  const Reference reference = DrawReference(window, referencePass, scene.Light);
+  const Reference reference = References::Draw(window, referencePass, scene.Light);
   for (auto& row : rows)
   {
-    FindUnsupported(*row, window, GetShapeName(scene.Light));
+    if (row->Pass)
+    {
+      row->Note =
+        Techniques::FindUnsupported(row->Pass, window.GetOpenWindow(), GetShapeName(scene.Light));
+    }
     if (row->Note.empty())
     {
       Measure(*row, window, scene.Light, reference);

@@ -20,6 +20,13 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/** The user has ended it, after what was done was kept: exit code 130, as the shell has it. */
+class Interrupted : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
 /** The command's own messages and those of VTK, in one form. */
 namespace Messages
 {

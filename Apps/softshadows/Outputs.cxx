@@ -116,9 +116,9 @@ Outputs::~Outputs()
   {
     fs::remove(file.Temporary, ignored);
   }
-  if (!this->MadeFolder.empty())
+  for (auto folder = this->MadeFolders.rbegin(); folder != this->MadeFolders.rend(); ++folder)
   {
-    fs::remove(this->MadeFolder, ignored);
+    fs::remove(*folder, ignored);
   }
 }
 
@@ -128,6 +128,24 @@ void Outputs::Guard()
   if (!this->Signals)
   {
     this->Signals = std::make_unique<SignalGuard>();
+  }
+}
+
+//------------------------------------------------------------------------------
+void Outputs::MakeFolder(const fs::path& folder)
+{
+  std::error_code failed;
+  if (fs::is_directory(folder, failed))
+  {
+    return;
+  }
+  if (folder.has_parent_path() && folder.parent_path() != folder)
+  {
+    this->MakeFolder(folder.parent_path());
+  }
+  if (fs::create_directory(folder, failed))
+  {
+    this->MadeFolders.push_back(folder);
   }
 }
 
@@ -249,11 +267,7 @@ void Outputs::StagePicture(const std::string& name, vtkImageData* image)
 {
   this->Guard();
   const fs::path path = Resolve(name);
-  std::error_code failed;
-  if (fs::create_directory(path.parent_path(), failed))
-  {
-    this->MadeFolder = path.parent_path();
-  }
+  this->MakeFolder(path.parent_path());
   const fs::path temporary = this->GetTemporary(path);
   this->WritePicture(temporary, name, image);
   this->Files.push_back({ temporary, path, name });
@@ -264,6 +278,7 @@ void Outputs::StageText(const std::string& name, const std::string& text)
 {
   this->Guard();
   const fs::path path = Resolve(name);
+  this->MakeFolder(path.parent_path());
   this->Files.push_back({ this->GetTemporary(path), path, name });
   WriteText(this->Files.back().Temporary, name, text);
 }
@@ -285,7 +300,7 @@ void Outputs::Commit()
       throw Failure(CannotWrite(file.Name, failed.message()));
     }
     this->Files.pop_back();
-    this->MadeFolder.clear();
+    this->MadeFolders.clear();
   }
   this->Signals.reset();
 }

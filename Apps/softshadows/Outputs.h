@@ -57,10 +57,11 @@ private:
   void WritePicture(
     const std::filesystem::path& temporary, const std::string& name, vtkImageData* image);
   void Guard();
+  void MakeFolder(const std::filesystem::path& folder);
 
   std::vector<std::filesystem::path> Planned;
   std::vector<Staged> Files;
-  std::filesystem::path MadeFolder;
+  std::vector<std::filesystem::path> MadeFolders; // the outer ones first
   std::unique_ptr<SignalGuard> Signals;
   int Counter = 0;
 };

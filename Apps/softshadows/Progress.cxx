@@ -1,6 +1,8 @@
 #include "Progress.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <unistd.h>
 
 //------------------------------------------------------------------------------
@@ -25,6 +27,32 @@ void Progress::Advance()
   if (this->Display && this->Display->count() < this->Display->expected_count())
   {
     ++*this->Display;
+  }
+}
+
+//------------------------------------------------------------------------------
+RemainingTime::RemainingTime(const std::string& title)
+  : Title(title)
+{
+}
+
+//------------------------------------------------------------------------------
+RemainingTime::~RemainingTime()
+{
+  if (Progress::IsShown())
+  {
+    std::cerr << std::endl;
+  }
+}
+
+//------------------------------------------------------------------------------
+void RemainingTime::Show(double seconds)
+{
+  if (Progress::IsShown())
+  {
+    const char* const toTheStartAndClear = "\r\033[K";
+    std::cerr << toTheStartAndClear << this->Title << ": " << std::lround(std::max(seconds, 0.0))
+              << " s left" << std::flush;
   }
 }
 

@@ -25,6 +25,20 @@ private:
   std::unique_ptr<boost::timer::progress_display> Display;
 };
 
+/** Tells on one line of stderr how long work will still take; does nothing where that is no terminal. */
+class RemainingTime
+{
+public:
+  explicit RemainingTime(const std::string& title);
+  ~RemainingTime();
+  RemainingTime(const RemainingTime&) = delete;
+  void operator=(const RemainingTime&) = delete;
+  void Show(double seconds);
+
+private:
+  std::string Title;
+};
+
 /** Lets a display run for as long as work that reports nothing is expected to take. */
 class ExpectedProgress
 {

@@ -1,19 +1,28 @@
 #include "Statistics.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace Statistics
 {
 //------------------------------------------------------------------------------
-double GetMedian(std::vector<double> values)
+double GetQuantile(std::vector<double> values, double share)
 {
   if (values.empty())
   {
     return std::numeric_limits<double>::quiet_NaN();
   }
   std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+  const double place = share * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
+}
+
+//------------------------------------------------------------------------------
+double GetMedian(const std::vector<double>& values)
+{
+  return GetQuantile(values, 0.5);
 }
 }

@@ -7,8 +7,12 @@
 
 namespace Statistics
 {
+/** The value below which a share (0 to 1) of the values lies, between neighbours interpolated; NaN of
+ * nothing. */
+double GetQuantile(std::vector<double> values, double share);
+
 /** Median; NaN of nothing. */
-double GetMedian(std::vector<double> values);
+double GetMedian(const std::vector<double>& values);
 }
 
 #endif

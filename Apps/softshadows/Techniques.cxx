@@ -12,25 +12,6 @@
 
 namespace
 {
-TechniqueSetting ParseSetting(const std::string& text)
-{
-  const std::size_t equals = text.find('=');
-  const std::size_t colon = text.substr(0, equals).find(':');
-  TechniqueSetting setting;
-  if (equals != std::string::npos)
-  {
-    const std::size_t start = colon == std::string::npos ? 0 : colon + 1;
-    setting.Technique = text.substr(0, colon == std::string::npos ? 0 : colon);
-    setting.Name = text.substr(start, equals - start);
-    setting.Value = text.substr(equals + 1);
-  }
-  if (setting.Name.empty() || colon == 0)
-  {
-    throw CLI::ValidationError("--set", "\"" + text + "\" is not NAME=VALUE");
-  }
-  return setting;
-}
-
 void SetQuality(vtkShadowPass* pass, const std::string& quality)
 {
   if (quality == "low")
@@ -57,6 +38,26 @@ void SetQuality(vtkShadowPass* pass, const std::string& quality)
 }
 
 //------------------------------------------------------------------------------
+std::optional<TechniqueSetting> TechniqueSetting::Parse(const std::string& text)
+{
+  const std::size_t equals = text.find('=');
+  const std::size_t colon = text.substr(0, equals).find(':');
+  TechniqueSetting setting;
+  if (equals != std::string::npos)
+  {
+    const std::size_t start = colon == std::string::npos ? 0 : colon + 1;
+    setting.Technique = text.substr(0, colon == std::string::npos ? 0 : colon);
+    setting.Name = text.substr(start, equals - start);
+    setting.Value = text.substr(equals + 1);
+  }
+  if (setting.Name.empty() || colon == 0)
+  {
+    return std::nullopt;
+  }
+  return setting;
+}
+
+//------------------------------------------------------------------------------
 void TechniqueOptions::Declare(CLI::App& command)
 {
   command.add_option("--quality", this->Quality, "Preset: low, medium, high or reference")
@@ -69,7 +70,12 @@ void TechniqueOptions::Declare(CLI::App& command)
       {
         for (const std::string& text : texts)
         {
-          this->Settings.push_back(ParseSetting(text));
+          const auto setting = TechniqueSetting::Parse(text);
+          if (!setting)
+          {
+            throw CLI::ValidationError("--set", "\"" + text + "\" is not NAME=VALUE");
+          }
+          this->Settings.push_back(*setting);
         }
       },
       "Set a parameter (see \"softshadows list\"); may be given again. TECHNIQUE:NAME=VALUE\n"
@@ -168,5 +174,15 @@ nlohmann::ordered_json GetParameters(vtkShadowPass* pass)
     values[name] = pass->GetParameter(name);
   }
   return values;
+}
+//------------------------------------------------------------------------------
+std::string FindUnsupported(
+  vtkShadowPass* pass, vtkRenderWindow* window, const std::string& lightShape)
+{
+  if (Describe(pass->GetTechnique())["lightShapes"].value(lightShape, "") == "unsupported")
+  {
+    return "does not support a " + lightShape + " light";
+  }
+  return pass->IsSupported(window) ? "" : pass->GetUnsupportedReason();
 }
 }

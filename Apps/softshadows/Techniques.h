@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ struct TechniqueSetting
   std::string Technique; // empty: whichever has the parameter
   std::string Name;
   std::string Value;
+
+  /** None for text of another form. */
+  static std::optional<TechniqueSetting> Parse(const std::string& text);
 };
 
 /** What is said about techniques, the same for one and for many. */
@@ -57,6 +61,10 @@ bool HasParameter(const nlohmann::ordered_json& description, const std::string& 
 
 /** All parameters of a pass and their values. */
 nlohmann::ordered_json GetParameters(vtkShadowPass* pass);
+
+/** Why a pass cannot draw a window under a light of that shape, or "". */
+std::string FindUnsupported(
+  vtkShadowPass* pass, vtkRenderWindow* window, const std::string& lightShape);
 }
 
 #endif

@@ -1,5 +1,7 @@
-// The command softshadows: exit code 0 when done, 1 for a failure it names, 2 for wrong usage.
+// The command softshadows: exit code 0 when done, 1 for a failure it names, 2 for wrong usage,
+// 130 when the user ended it.
 
+#include "Bench.h"
 #include "Compare.h"
 #include "Errors.h"
 #include "List.h"
@@ -20,6 +22,18 @@ int Fail(const std::string& text, int code)
   Messages::PrintError(text);
   return code;
 }
+
+std::string JoinWords(int argc, char* argv[])
+{
+  std::string line = "softshadows";
+  for (int i = 1; i < argc; ++i)
+  {
+    const std::string word = argv[i];
+    const bool plain = !word.empty() && word.find_first_of(" \t\"'\\$*?") == std::string::npos;
+    line += plain ? " " + word : " '" + word + "'";
+  }
+  return line;
+}
 }
 
 int main(int argc, char* argv[])
@@ -33,13 +47,14 @@ int main(int argc, char* argv[])
   DeclareList(app);
   DeclareRender(app);
   DeclareCompare(app);
+  DeclareBench(app, JoinWords(argc, argv));
 
   try
   {
     app.parse(argc, argv); // runs the subcommand
     if (app.get_subcommands().empty())
     {
-      throw CLI::RequiredError("a subcommand (list, render, compare)");
+      throw CLI::RequiredError("a subcommand (list, render, compare, bench)");
     }
     Messages::Check();
     Messages::ShowWarnings();
@@ -59,6 +74,10 @@ int main(int argc, char* argv[])
   catch (const WrongUsage& wrong)
   {
     return Fail(wrong.what(), 2);
+  }
+  catch (const Interrupted& interrupted)
+  {
+    return Fail(interrupted.what(), 130);
   }
   catch (const Failure& failure)
   {

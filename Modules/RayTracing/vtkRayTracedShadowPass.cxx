@@ -33,7 +33,9 @@ vtkShadowTechniqueAutoInit(VTKSOFTSHADOWSRAYTRACING_EXPORT, vtkSoftShadowsRayTra
     t.New = [] { return static_cast<vtkShadowPass*>(vtkRayTracedShadowPass::New()); };
     t.LightShapes.fill(Support::Exact);
     t.Parameters = { { "samples", vtkShadowParameter::Type::Integer, "64", 1, 16384, {}, "rays",
-      "Rays from each pixel to each light", { "4", "16", "64", "1024" } } };
+                       "Rays from each pixel to each light", { "4", "16", "64", "1024" } },
+      { "seed", vtkShadowParameter::Type::Integer, "0", 0, 65535, {}, "",
+        "Another seed gives other rays: how two pictures differ tells their noise", {} } };
     t.Resources = { "on the CPU: Embree's structures, about 100 bytes a triangle",
       "on the GPU: receivers 16 bytes, depth 4 bytes, visibility 4 bytes a light (16 textured), "
       "each a "
@@ -116,6 +118,7 @@ void vtkRayTracedShadowPass::FillVisibility(vtkShadowFrame& frame, vtkVisibility
     }
   }
   const int samples = this->GetInteger("samples");
+  const int seed = this->GetInteger("seed");
   const int components = buffer.GetQuantity().empty() ? buffer.GetComponents() : 1;
   double rays = 0.0;
   for (std::size_t i = 0; i < frame.Lights.size(); ++i)
@@ -135,7 +138,7 @@ void vtkRayTracedShadowPass::FillVisibility(vtkShadowFrame& frame, vtkVisibility
     else
     {
       rays += this->Tracer->Trace(
-        frame.Lights[i], frame.Casters->GetOrigin(), receivers, samples, components, values);
+        frame.Lights[i], frame.Casters->GetOrigin(), receivers, samples, seed, components, values);
     }
     buffer.GetTarget().UploadLayer(frame.Window, static_cast<int>(i), values.data());
   }

@@ -30,8 +30,9 @@ struct Patterns
 {
   static constexpr int Count = 256;
 
-  Patterns(const vtkShadowLight& light, int samples)
+  Patterns(const vtkShadowLight& light, int samples, int seed)
     : Samples(samples)
+    , Seed(static_cast<std::uint32_t>(seed))
   {
     const bool rectangle = light.Kind == vtkShadowLight::Shape::Rectangle;
     const auto points = vtkShadowSampling::Sobol(samples);
@@ -39,8 +40,8 @@ struct Patterns
     this->B.reserve(this->A.capacity());
     for (int pattern = 0; pattern < Count; ++pattern)
     {
-      const std::uint32_t x = vtkShadowSampling::Hash(2 * pattern + 1);
-      const std::uint32_t y = vtkShadowSampling::Hash(2 * pattern + 2);
+      const std::uint32_t x = vtkShadowSampling::Hash(2 * (this->Seed * Count + pattern) + 1);
+      const std::uint32_t y = vtkShadowSampling::Hash(2 * (this->Seed * Count + pattern) + 2);
       glm::dvec3 sum(0.0);
       for (const auto& point : points)
       {
@@ -66,6 +67,7 @@ struct Patterns
   }
 
   int Samples;
+  std::uint32_t Seed; // another seed, other patterns for all pixels
   std::vector<float> A;
   std::vector<float> B;
   std::vector<glm::dvec3> Weights; // with an emission texture only
@@ -220,8 +222,8 @@ int vtkShadowRayTracer::Update(const vtkShadowCasters& casters)
 glm::dvec3 vtkShadowRayTracer::Internals::TracePixel(RTCScene scene, const vtkShadowLight& light,
   const glm::dvec3& place, const Receiver& receiver, const Patterns& patterns) const
 {
-  const std::uint32_t hash =
-    vtkShadowSampling::Hash(static_cast<std::uint32_t>(receiver.Pixel) ^ 0x9e3779b9u);
+  const std::uint32_t hash = vtkShadowSampling::Hash(
+    static_cast<std::uint32_t>(receiver.Pixel) ^ (0x9e3779b9u * (patterns.Seed + 1)));
   const std::size_t first =
     static_cast<std::size_t>(hash % Patterns::Count) * static_cast<std::size_t>(patterns.Samples);
 
@@ -324,12 +326,12 @@ bool vtkShadowRayTracer::NeedsRays(
 
 //------------------------------------------------------------------------------
 double vtkShadowRayTracer::Trace(const vtkShadowLight& light, const glm::dvec3& origin,
-  const std::vector<Receiver>& receivers, int samples, int components,
+  const std::vector<Receiver>& receivers, int samples, int seed, int components,
   std::vector<float>& visibility) const
 {
   const Internals& my = *this->Internal;
   RTCScene scene = my.Scenes.lower_bound(light.LeastOpacity)->second; // that of 1 is always there
-  const Patterns patterns(light, light.IsPoint() ? 1 : samples);
+  const Patterns patterns(light, light.IsPoint() ? 1 : samples, seed);
   const glm::dvec3 place = light.IsDirectional() ? -light.Direction : light.Position - origin;
   std::atomic<std::size_t> traced{ 0 };
   const auto work = [&](vtkIdType begin, vtkIdType end)

@@ -39,10 +39,11 @@ public:
 
   /**
    * Visibility of each receiver, `components` (1 or 4) floats at its pixel, by `samples` stratified
-   * rays each, on all cores. Deterministic: patterns depend on pixels alone. Gives the rays traced.
+   * rays each, on all cores. Deterministic: patterns depend on pixels and the seed alone. Gives the
+   * rays traced.
    */
   double Trace(const vtkShadowLight& light, const glm::dvec3& origin,
-    const std::vector<Receiver>& receivers, int samples, int components,
+    const std::vector<Receiver>& receivers, int samples, int seed, int components,
     std::vector<float>& visibility) const;
 
   /** Whether a receiver's rays can decide anything: its own surface does not hide the whole light. */
