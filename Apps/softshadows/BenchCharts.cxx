@@ -16,7 +16,7 @@
 namespace
 {
 constexpr int Scale = 2;
-const int windowSize[2] = { Scale * ChartPainter::Width, Scale * ChartPainter::Height };
+const int windowSize[2] = { Scale * ChartPainter::Width, Scale* ChartPainter::Height };
 
 /** From the least to the largest value of the points, with a margin. */
 std::array<double, 2> FindRange(const Chart& chart, int component)
@@ -78,11 +78,12 @@ vtkSmartPointer<vtkTable> MakeTable(const std::vector<std::array<double, 2>>& po
 }
 
 //------------------------------------------------------------------------------
-void AddCurve(vtkChartXY* chart, const CurveStyle& style,
-  const std::vector<std::array<double, 2>>& points)
+void AddCurve(
+  vtkChartXY* chart, const CurveStyle& style, const std::vector<std::array<double, 2>>& points)
 {
   const auto table = MakeTable(points);
-  const auto add = [chart, &table, &style](int kind, float markerSize) {
+  const auto add = [chart, &table, &style](int kind, float markerSize)
+  {
     auto* plot = vtkPlotPoints::SafeDownCast(chart->AddPlot(kind));
     plot->SetInputData(table, 0, 1);
     plot->SetMarkerStyle(style.Marker);

@@ -45,8 +45,9 @@ Mustache::data Convert(const Json& value)
   {
     return value.get<bool>();
   }
-  const std::string text =
-    value.is_string() ? value.get<std::string>() : value.is_null() ? "" : value.dump();
+  const std::string text = value.is_string() ? value.get<std::string>()
+                           : value.is_null() ? ""
+                                             : value.dump();
   return text.empty() ? Mustache::data(false) : Mustache::data(text);
 }
 
@@ -89,8 +90,9 @@ std::string DescribeScene(const Json& oneCase)
   const Json& scene = Find(oneCase, { "scene" });
   const Json& light = Find(scene, { "light" });
   std::vector<std::string> words;
-  const auto add = [&words](const std::string& before, const std::string& value,
-                     const std::string& after) {
+  const auto add = [&words](
+                     const std::string& before, const std::string& value, const std::string& after)
+  {
     if (!value.empty())
     {
       words.push_back(before + value + after);
@@ -189,9 +191,8 @@ Json GetPictures(const Json& oneCase, const std::vector<BenchPicture>& pictures)
     if (one.Case == FindText(oneCase, { "id" }) && (one.Picture || one.Difference))
     {
       const Json& entry = FindEntry(oneCase, one.Entry);
-      const auto shrink = [](vtkImageData* image) {
-        return BenchPictures::Shrink(image, pictureWidth);
-      };
+      const auto shrink = [](vtkImageData* image)
+      { return BenchPictures::Shrink(image, pictureWidth); };
       figures.push_back({ { "name", GetName(oneCase, one.Entry) },
         { "jpeg", one.Picture ? BenchPictures::EncodeJPEG(shrink(one.Picture)) : "" },
         { "png", one.Difference ? BenchPictures::EncodePNG(shrink(one.Difference)) : "" },
@@ -224,8 +225,7 @@ Json GetCase(const Json& results, const Json& oneCase, const std::vector<BenchPi
   }
   Json page = { { "id", FindText(oneCase, { "id" }) }, { "scene", DescribeScene(oneCase) },
     { "reference", GetReference(oneCase) }, { "advice", BenchTables::Recommend(oneCase) },
-    { "published_for", FindText(oneCase, { "published" }) },
-    { "reference_name", FindText(oneCase, { "reference", "technique" }) } };
+    { "published_for", FindText(oneCase, { "published" }) } };
   page.update(charts.Get(styles));
   SetRows(page, "under_error", BenchTables::GetUnderError(oneCase));
   SetRows(page, "under_time", BenchTables::GetUnderTime(oneCase));
@@ -278,7 +278,8 @@ Json GetScaling(const Json& results, const CurveStyles& styles, Painter& painter
 Json GetFacts(const Json& results)
 {
   Json facts = Json::array();
-  const auto add = [&facts](const std::string& name, const std::string& value) {
+  const auto add = [&facts](const std::string& name, const std::string& value)
+  {
     if (!value.empty())
     {
       facts.push_back({ { "name", name }, { "value", value } });
