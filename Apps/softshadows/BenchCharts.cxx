@@ -11,6 +11,7 @@
 #include "vtkTextProperty.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace
@@ -36,9 +37,9 @@ std::array<double, 2> FindRange(const Chart& chart, int component)
     low = std::min(low, chart.Floor);
     high = std::max(high, chart.Floor);
   }
-  // At least from a half to the double, so that the axis has a few ticks.
+  // At least a decade: VTK finds no round ticks within less.
   const double middle = std::sqrt(low) * std::sqrt(high);
-  return { std::min(low * 0.8, middle / 2.0), std::max(high * 1.25, middle * 2.0) };
+  return { std::min(low * 0.8, middle * 0.3), std::max(high * 1.25, middle * 3.5) };
 }
 
 //------------------------------------------------------------------------------
@@ -91,13 +92,13 @@ void AddCurve(
     return plot;
   };
   // VTK draws no line through one point.
-  auto* plot = add(points.size() > 1 ? vtkChart::LINE : vtkChart::POINTS, 9.0f);
+  auto* plot = add(points.size() > 1 ? vtkChart::LINE : vtkChart::POINTS, 10.0f);
   plot->SetColor(style.Colour[0], style.Colour[1], style.Colour[2], style.Opacity);
   plot->SetWidth(Scale * style.Width);
   plot->GetPen()->SetLineType(style.Line);
   if (style.IsHollow)
   {
-    add(vtkChart::POINTS, 5.0f)->SetColor(255, 255, 255, 255);
+    add(vtkChart::POINTS, 5.5f)->SetColor(255, 255, 255, 255);
   }
 }
 }

@@ -250,17 +250,8 @@ Json GetScaling(const Json& results, const CurveStyles& styles, Painter& painter
   {
     return nullptr;
   }
-  std::vector<std::string> axes;
-  for (const Json& line : scaling)
-  {
-    const std::string axis = FindText(line, { "axis" });
-    if (std::find(axes.begin(), axes.end(), axis) == axes.end())
-    {
-      axes.push_back(axis);
-    }
-  }
   Charts charts;
-  for (const std::string& axis : axes)
+  for (const std::string& axis : FindTexts(scaling, "axis"))
   {
     for (const std::string time : { "static", "dynamic" })
     {
@@ -269,7 +260,7 @@ Json GetScaling(const Json& results, const CurveStyles& styles, Painter& painter
     }
   }
   Json page = charts.Get(styles);
-  SetRows(page, "exponents", BenchTables::GetExponents(scaling));
+  page.update(BenchTables::GetExponents(scaling));
   return page;
 }
 

@@ -294,35 +294,36 @@ Json GetExponents(const Json& scaling)
   // The cost of these should grow no faster than they do.
   static const std::vector<std::string> bounded = { "triangles", "pixels", "lights" };
   constexpr double bound = 1.05;
-  std::vector<std::pair<std::string, std::string>> known;
-  Json rows = Json::array();
-  for (const Json& line : scaling)
+  const auto axes = FindTexts(scaling, "axis");
+  Json columns = Json::array();
+  for (const std::string& axis : axes)
   {
-    const std::string axis = FindText(line, { "axis" });
-    const std::string entry = FindText(line, { "entry" });
-    if (std::find(known.begin(), known.end(), std::pair(axis, entry)) != known.end())
+    columns.push_back({ { "axis", axis } });
+  }
+  Json rows = Json::array();
+  for (const std::string& entry : FindTexts(scaling, "entry"))
+  {
+    Json row = { { "entry", entry }, { "cells", Json::array() } };
+    for (const std::string& axis : axes)
     {
-      continue;
-    }
-    known.emplace_back(axis, entry);
-    const bool isBounded = std::find(bounded.begin(), bounded.end(), axis) != bounded.end();
-    Json row = { { "axis", axis }, { "entry", entry }, { "bound", isBounded ? "1.05" : "" },
-      { "cells", Json::array() } };
-    for (const char* time : times)
-    {
-      Number exponent;
-      for (const Json& other : scaling)
+      const bool isBounded = std::find(bounded.begin(), bounded.end(), axis) != bounded.end();
+      for (const char* time : times)
       {
-        if (Is(other, "axis", axis) && Is(other, "entry", entry) && Is(other, "time", time))
+        Number exponent;
+        for (const Json& line : scaling)
         {
-          exponent = FindNumber(other, { "exponent" });
+          if (Is(line, "axis", axis) && Is(line, "entry", entry) && Is(line, "time", time))
+          {
+            exponent = FindNumber(line, { "exponent" });
+          }
         }
+        row["cells"].push_back({ { "exponent", WritePercent(exponent) },
+          { "over", isBounded && exponent && *exponent > bound },
+          { "first", std::string(time) == times[0] } });
       }
-      row["cells"].push_back({ { "exponent", WritePercent(exponent) },
-        { "over", isBounded && exponent && *exponent > bound } });
     }
     rows.push_back(row);
   }
-  return rows;
+  return { { "axes", columns }, { "rows", rows } };
 }
 }
