@@ -116,9 +116,9 @@ std::string ChartPainter::Draw(const Chart& chart)
   vtkNew<vtkChartXY> plots;
   const auto x = FindRange(chart, 0);
   const auto y = FindRange(chart, 1);
-  // An empty line before the title: VTK leaves too little room for labels of that size.
+  // An empty line between labels and title: VTK leaves too little room for labels of that size.
   SetUpAxis(plots->GetAxis(vtkAxis::BOTTOM), "\n" + chart.XTitle, x);
-  SetUpAxis(plots->GetAxis(vtkAxis::LEFT), chart.YTitle, y);
+  SetUpAxis(plots->GetAxis(vtkAxis::LEFT), chart.YTitle + "\n", y);
   if (chart.Floor > 0.0)
   {
     CurveStyle thin;

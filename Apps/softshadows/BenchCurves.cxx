@@ -14,8 +14,8 @@ constexpr std::array<std::array<unsigned char, 3>, 7> colours = { { { 0, 114, 17
   { 0, 158, 115 }, { 204, 121, 167 }, { 86, 180, 233 }, { 230, 159, 0 }, { 68, 34, 136 } } };
 constexpr std::array<unsigned char, 3> greys = { 70, 130, 100 };
 
-// Filled and hollow. VTK's crosses are too thin. Seven colours and six markers: 42 techniques differ,
-// neighbours in both.
+// Filled and hollow; VTK's crosses are too thin. With seven colours and six markers 42 techniques
+// differ, neighbours in both.
 constexpr std::array<int, 3> markers = { vtkPlotPoints::CIRCLE, vtkPlotPoints::SQUARE,
   vtkPlotPoints::DIAMOND };
 

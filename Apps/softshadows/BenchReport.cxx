@@ -133,7 +133,7 @@ Json GetReference(const Json& oneCase)
 
 //------------------------------------------------------------------------------
 /** Draws charts when there is the first to draw: without any, no display is needed. */
-class Painter
+class LazyPainter
 {
 public:
   Json Draw(const CurveChart& chart, const std::string& caption)
@@ -142,16 +142,16 @@ public:
     {
       return nullptr;
     }
-    if (!this->Charts)
+    if (!this->Drawer)
     {
-      this->Charts = std::make_unique<ChartPainter>();
+      this->Drawer = std::make_unique<ChartPainter>();
     }
-    return { { "caption", caption }, { "png", this->Charts->Draw(chart.Content) },
+    return { { "caption", caption }, { "png", this->Drawer->Draw(chart.Content) },
       { "left_out", Join(chart.LeftOut) } };
   }
 
 private:
-  std::unique_ptr<ChartPainter> Charts;
+  std::unique_ptr<ChartPainter> Drawer;
 };
 
 //------------------------------------------------------------------------------
@@ -163,7 +163,7 @@ struct Charts
   bool HasFront = false;
   bool HasNoise = false;
 
-  void Add(Painter& painter, const CurveChart& chart, const std::string& caption)
+  void Add(LazyPainter& painter, const CurveChart& chart, const std::string& caption)
   {
     Json drawn = painter.Draw(chart, caption);
     if (!drawn.is_null())
@@ -211,7 +211,7 @@ void SetRows(Json& page, const std::string& name, Json rows)
 
 //------------------------------------------------------------------------------
 Json GetCase(const Json& results, const Json& oneCase, const std::vector<BenchPicture>& pictures,
-  const CurveStyles& styles, Painter& painter)
+  const CurveStyles& styles, LazyPainter& painter)
 {
   Charts charts;
   for (const std::string time : { "static", "dynamic" })
@@ -243,7 +243,7 @@ Json GetCase(const Json& results, const Json& oneCase, const std::vector<BenchPi
 }
 
 //------------------------------------------------------------------------------
-Json GetScaling(const Json& results, const CurveStyles& styles, Painter& painter)
+Json GetScaling(const Json& results, const CurveStyles& styles, LazyPainter& painter)
 {
   const Json& scaling = FindList(results, { "scaling" });
   if (scaling.empty())
@@ -295,7 +295,7 @@ Json GetFacts(const Json& results)
 Json GetPage(const Json& results, const std::vector<BenchPicture>& pictures)
 {
   const CurveStyles styles(results);
-  Painter painter;
+  LazyPainter painter;
   Json cases = Json::array();
   for (const Json& oneCase : FindList(results, { "cases" }))
   {
