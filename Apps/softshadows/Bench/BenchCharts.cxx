@@ -11,12 +11,13 @@
 #include "vtkTextProperty.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace
 {
 constexpr int Scale = 2;
-const int windowSize[2] = { Scale * ChartPainter::Width, Scale * ChartPainter::Height };
+const int windowSize[2] = { Scale * ChartPainter::Width, Scale* ChartPainter::Height };
 
 /** From the least to the largest value of the points, with a margin. */
 std::array<double, 2> FindRange(const Chart& chart, int component)
@@ -36,9 +37,9 @@ std::array<double, 2> FindRange(const Chart& chart, int component)
     low = std::min(low, chart.Floor);
     high = std::max(high, chart.Floor);
   }
-  // At least from a half to the double, so that the axis has a few ticks.
+  // At least a decade: VTK finds no round ticks within less.
   const double middle = std::sqrt(low) * std::sqrt(high);
-  return { std::min(low * 0.8, middle / 2.0), std::max(high * 1.25, middle * 2.0) };
+  return { std::min(low * 0.8, middle * 0.3), std::max(high * 1.25, middle * 3.5) };
 }
 
 //------------------------------------------------------------------------------
@@ -78,11 +79,12 @@ vtkSmartPointer<vtkTable> MakeTable(const std::vector<std::array<double, 2>>& po
 }
 
 //------------------------------------------------------------------------------
-void AddCurve(vtkChartXY* chart, const CurveStyle& style,
-  const std::vector<std::array<double, 2>>& points)
+void AddCurve(
+  vtkChartXY* chart, const CurveStyle& style, const std::vector<std::array<double, 2>>& points)
 {
   const auto table = MakeTable(points);
-  const auto add = [chart, &table, &style](int kind, float markerSize) {
+  const auto add = [chart, &table, &style](int kind, float markerSize)
+  {
     auto* plot = vtkPlotPoints::SafeDownCast(chart->AddPlot(kind));
     plot->SetInputData(table, 0, 1);
     plot->SetMarkerStyle(style.Marker);
@@ -90,13 +92,13 @@ void AddCurve(vtkChartXY* chart, const CurveStyle& style,
     return plot;
   };
   // VTK draws no line through one point.
-  auto* plot = add(points.size() > 1 ? vtkChart::LINE : vtkChart::POINTS, 9.0f);
+  auto* plot = add(points.size() > 1 ? vtkChart::LINE : vtkChart::POINTS, 10.0f);
   plot->SetColor(style.Colour[0], style.Colour[1], style.Colour[2], style.Opacity);
   plot->SetWidth(Scale * style.Width);
   plot->GetPen()->SetLineType(style.Line);
   if (style.IsHollow)
   {
-    add(vtkChart::POINTS, 5.0f)->SetColor(255, 255, 255, 255);
+    add(vtkChart::POINTS, 5.5f)->SetColor(255, 255, 255, 255);
   }
 }
 }
@@ -114,9 +116,9 @@ std::string ChartPainter::Draw(const Chart& chart)
   vtkNew<vtkChartXY> plots;
   const auto x = FindRange(chart, 0);
   const auto y = FindRange(chart, 1);
-  // An empty line before the title: VTK leaves too little room for labels of that size.
+  // An empty line between labels and title: VTK leaves too little room for labels of that size.
   SetUpAxis(plots->GetAxis(vtkAxis::BOTTOM), "\n" + chart.XTitle, x);
-  SetUpAxis(plots->GetAxis(vtkAxis::LEFT), chart.YTitle, y);
+  SetUpAxis(plots->GetAxis(vtkAxis::LEFT), chart.YTitle + "\n", y);
   if (chart.Floor > 0.0)
   {
     CurveStyle thin;

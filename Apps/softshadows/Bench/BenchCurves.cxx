@@ -10,13 +10,12 @@ namespace
 using Points = std::vector<std::array<double, 2>>;
 
 // Of Okabe and Ito, without yellow, which is too faint on white, and with a dark violet.
-constexpr std::array<std::array<unsigned char, 3>, 7> colours = { { { 0, 114, 178 },
-  { 213, 94, 0 }, { 0, 158, 115 }, { 204, 121, 167 }, { 86, 180, 233 }, { 230, 159, 0 },
-  { 68, 34, 136 } } };
+constexpr std::array<std::array<unsigned char, 3>, 7> colours = { { { 0, 114, 178 }, { 213, 94, 0 },
+  { 0, 158, 115 }, { 204, 121, 167 }, { 86, 180, 233 }, { 230, 159, 0 }, { 68, 34, 136 } } };
 constexpr std::array<unsigned char, 3> greys = { 70, 130, 100 };
 
-// Filled and hollow. VTK's crosses are too thin. Seven colours and six markers: 42 techniques differ,
-// neighbours in both.
+// Filled and hollow; VTK's crosses are too thin. With seven colours and six markers 42 techniques
+// differ, neighbours in both.
 constexpr std::array<int, 3> markers = { vtkPlotPoints::CIRCLE, vtkPlotPoints::SQUARE,
   vtkPlotPoints::DIAMOND };
 
@@ -59,8 +58,8 @@ bool CanShow(const BenchFigures::Number& x, const BenchFigures::Number& y)
 }
 
 //------------------------------------------------------------------------------
-void AddCurves(const std::map<CurveStyles::Key, Points>& found, const CurveStyles& styles,
-  CurveChart& chart)
+void AddCurves(
+  const std::map<CurveStyles::Key, Points>& found, const CurveStyles& styles, CurveChart& chart)
 {
   for (const auto& [key, points] : found)
   {
@@ -76,7 +75,8 @@ void AddCurves(const std::map<CurveStyles::Key, Points>& found, const CurveStyle
 CurveStyles::CurveStyles(const Json& results)
 {
   std::size_t known[2] = { 0, 0 };
-  const auto add = [this, &known](const Key& key) {
+  const auto add = [this, &known](const Key& key)
+  {
     if (this->Styles.emplace(key, MakeStyle(key.first, known[key.first])).second)
     {
       ++known[key.first];
@@ -121,8 +121,8 @@ Json CurveStyles::GetLegend(const std::vector<Key>& keys) const
     }
     const CurveStyle& style = this->Get(key);
     char colour[8];
-    std::snprintf(colour, sizeof(colour), "#%02x%02x%02x", style.Colour[0], style.Colour[1],
-      style.Colour[2]);
+    std::snprintf(
+      colour, sizeof(colour), "#%02x%02x%02x", style.Colour[0], style.Colour[1], style.Colour[2]);
     legend.push_back({ { "name", key.second }, { "peer", key.first }, { "colour", colour },
       { "symbol", GetSymbol(style) } });
   }
@@ -167,7 +167,8 @@ CurveChart MakeErrorChart(const Json& oneCase, const std::string& pixels, const 
   front.Style = CurveStyles::GetFront();
   for (const Json& id : BenchFigures::FindList(oneCase, { "fronts", pixels, time }))
   {
-    const Json& entry = BenchFigures::FindEntry(oneCase, id.is_string() ? id.get<std::string>() : "");
+    const Json& entry =
+      BenchFigures::FindEntry(oneCase, id.is_string() ? id.get<std::string>() : "");
     const auto x = BenchFigures::GetAdded(entry, time);
     const auto y = BenchFigures::GetError(entry, pixels);
     if (CanShow(x, y))
@@ -185,8 +186,8 @@ CurveChart MakeErrorChart(const Json& oneCase, const std::string& pixels, const 
 }
 
 //------------------------------------------------------------------------------
-CurveChart MakeScalingChart(const Json& scaling, const std::string& axis, const std::string& time,
-  const CurveStyles& styles)
+CurveChart MakeScalingChart(
+  const Json& scaling, const std::string& axis, const std::string& time, const CurveStyles& styles)
 {
   CurveChart chart;
   chart.Content.XTitle = axis;
@@ -195,7 +196,7 @@ CurveChart MakeScalingChart(const Json& scaling, const std::string& axis, const 
   for (const Json& line : scaling)
   {
     if (BenchFigures::FindText(line, { "axis" }) != axis ||
-      BenchFigures::FindText(line, { "time" }) != time)
+        BenchFigures::FindText(line, { "time" }) != time)
     {
       continue;
     }
@@ -208,8 +209,8 @@ CurveChart MakeScalingChart(const Json& scaling, const std::string& axis, const 
     bool isComplete = true;
     for (const Json& point : BenchFigures::FindList(line, { "points" }))
     {
-      const bool isPair = point.is_array() && point.size() == 2 && point[0].is_number() &&
-        point[1].is_number();
+      const bool isPair =
+        point.is_array() && point.size() == 2 && point[0].is_number() && point[1].is_number();
       if (isPair && CanShow(point[0].get<double>(), point[1].get<double>()))
       {
         found[key].push_back({ point[0].get<double>(), point[1].get<double>() });

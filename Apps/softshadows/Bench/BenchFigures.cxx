@@ -1,5 +1,6 @@
 #include "BenchFigures.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -62,6 +63,21 @@ std::string FindText(const Json& from, Path path)
     return "";
   }
   return found.is_string() ? found.get<std::string>() : found.dump();
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> FindTexts(const Json& list, const std::string& key)
+{
+  std::vector<std::string> texts;
+  for (const Json& one : list)
+  {
+    const std::string text = FindText(one, { key });
+    if (std::find(texts.begin(), texts.end(), text) == texts.end())
+    {
+      texts.push_back(text);
+    }
+  }
+  return texts;
 }
 
 //------------------------------------------------------------------------------

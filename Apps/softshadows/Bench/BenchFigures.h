@@ -8,6 +8,7 @@
 #include <initializer_list>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace BenchFigures
 {
@@ -26,6 +27,9 @@ Number FindNumber(const Json& from, Path path);
 
 /** A value as text; "" where there is none. */
 std::string FindText(const Json& from, Path path);
+
+/** The different texts that a list's elements have under a key, in their order. */
+std::vector<std::string> FindTexts(const Json& list, const std::string& key);
 
 ///@{
 /**

@@ -45,8 +45,9 @@ Mustache::data Convert(const Json& value)
   {
     return value.get<bool>();
   }
-  const std::string text =
-    value.is_string() ? value.get<std::string>() : value.is_null() ? "" : value.dump();
+  const std::string text = value.is_string() ? value.get<std::string>()
+                           : value.is_null() ? ""
+                                             : value.dump();
   return text.empty() ? Mustache::data(false) : Mustache::data(text);
 }
 
@@ -89,8 +90,9 @@ std::string DescribeScene(const Json& oneCase)
   const Json& scene = Find(oneCase, { "scene" });
   const Json& light = Find(scene, { "light" });
   std::vector<std::string> words;
-  const auto add = [&words](const std::string& before, const std::string& value,
-                     const std::string& after) {
+  const auto add = [&words](
+                     const std::string& before, const std::string& value, const std::string& after)
+  {
     if (!value.empty())
     {
       words.push_back(before + value + after);
@@ -131,7 +133,7 @@ Json GetReference(const Json& oneCase)
 
 //------------------------------------------------------------------------------
 /** Draws charts when there is the first to draw: without any, no display is needed. */
-class Painter
+class LazyPainter
 {
 public:
   Json Draw(const CurveChart& chart, const std::string& caption)
@@ -140,16 +142,16 @@ public:
     {
       return nullptr;
     }
-    if (!this->Charts)
+    if (!this->Drawer)
     {
-      this->Charts = std::make_unique<ChartPainter>();
+      this->Drawer = std::make_unique<ChartPainter>();
     }
-    return { { "caption", caption }, { "png", this->Charts->Draw(chart.Content) },
+    return { { "caption", caption }, { "png", this->Drawer->Draw(chart.Content) },
       { "left_out", Join(chart.LeftOut) } };
   }
 
 private:
-  std::unique_ptr<ChartPainter> Charts;
+  std::unique_ptr<ChartPainter> Drawer;
 };
 
 //------------------------------------------------------------------------------
@@ -161,7 +163,7 @@ struct Charts
   bool HasFront = false;
   bool HasNoise = false;
 
-  void Add(Painter& painter, const CurveChart& chart, const std::string& caption)
+  void Add(LazyPainter& painter, const CurveChart& chart, const std::string& caption)
   {
     Json drawn = painter.Draw(chart, caption);
     if (!drawn.is_null())
@@ -189,9 +191,8 @@ Json GetPictures(const Json& oneCase, const std::vector<BenchPicture>& pictures)
     if (one.Case == FindText(oneCase, { "id" }) && (one.Picture || one.Difference))
     {
       const Json& entry = FindEntry(oneCase, one.Entry);
-      const auto shrink = [](vtkImageData* image) {
-        return BenchPictures::Shrink(image, pictureWidth);
-      };
+      const auto shrink = [](vtkImageData* image)
+      { return BenchPictures::Shrink(image, pictureWidth); };
       figures.push_back({ { "name", GetName(oneCase, one.Entry) },
         { "jpeg", one.Picture ? BenchPictures::EncodeJPEG(shrink(one.Picture)) : "" },
         { "png", one.Difference ? BenchPictures::EncodePNG(shrink(one.Difference)) : "" },
@@ -210,7 +211,7 @@ void SetRows(Json& page, const std::string& name, Json rows)
 
 //------------------------------------------------------------------------------
 Json GetCase(const Json& results, const Json& oneCase, const std::vector<BenchPicture>& pictures,
-  const CurveStyles& styles, Painter& painter)
+  const CurveStyles& styles, LazyPainter& painter)
 {
   Charts charts;
   for (const std::string time : { "static", "dynamic" })
@@ -224,8 +225,7 @@ Json GetCase(const Json& results, const Json& oneCase, const std::vector<BenchPi
   }
   Json page = { { "id", FindText(oneCase, { "id" }) }, { "scene", DescribeScene(oneCase) },
     { "reference", GetReference(oneCase) }, { "advice", BenchTables::Recommend(oneCase) },
-    { "published_for", FindText(oneCase, { "published" }) },
-    { "reference_name", FindText(oneCase, { "reference", "technique" }) } };
+    { "published_for", FindText(oneCase, { "published" }) } };
   page.update(charts.Get(styles));
   SetRows(page, "under_error", BenchTables::GetUnderError(oneCase));
   SetRows(page, "under_time", BenchTables::GetUnderTime(oneCase));
@@ -243,24 +243,15 @@ Json GetCase(const Json& results, const Json& oneCase, const std::vector<BenchPi
 }
 
 //------------------------------------------------------------------------------
-Json GetScaling(const Json& results, const CurveStyles& styles, Painter& painter)
+Json GetScaling(const Json& results, const CurveStyles& styles, LazyPainter& painter)
 {
   const Json& scaling = FindList(results, { "scaling" });
   if (scaling.empty())
   {
     return nullptr;
   }
-  std::vector<std::string> axes;
-  for (const Json& line : scaling)
-  {
-    const std::string axis = FindText(line, { "axis" });
-    if (std::find(axes.begin(), axes.end(), axis) == axes.end())
-    {
-      axes.push_back(axis);
-    }
-  }
   Charts charts;
-  for (const std::string& axis : axes)
+  for (const std::string& axis : FindTexts(scaling, "axis"))
   {
     for (const std::string time : { "static", "dynamic" })
     {
@@ -269,7 +260,7 @@ Json GetScaling(const Json& results, const CurveStyles& styles, Painter& painter
     }
   }
   Json page = charts.Get(styles);
-  SetRows(page, "exponents", BenchTables::GetExponents(scaling));
+  page.update(BenchTables::GetExponents(scaling));
   return page;
 }
 
@@ -278,7 +269,8 @@ Json GetScaling(const Json& results, const CurveStyles& styles, Painter& painter
 Json GetFacts(const Json& results)
 {
   Json facts = Json::array();
-  const auto add = [&facts](const std::string& name, const std::string& value) {
+  const auto add = [&facts](const std::string& name, const std::string& value)
+  {
     if (!value.empty())
     {
       facts.push_back({ { "name", name }, { "value", value } });
@@ -303,7 +295,7 @@ Json GetFacts(const Json& results)
 Json GetPage(const Json& results, const std::vector<BenchPicture>& pictures)
 {
   const CurveStyles styles(results);
-  Painter painter;
+  LazyPainter painter;
   Json cases = Json::array();
   for (const Json& oneCase : FindList(results, { "cases" }))
   {

@@ -27,7 +27,7 @@ const Json& FindTypical(const Json& oneCase, const std::string& list)
   for (const Json& row : FindList(oneCase, { "advice", list }))
   {
     if (Is(row, "pixels", "penumbra") && Is(row, "time", "static") &&
-      !FindText(row, { "entry" }).empty())
+        !FindText(row, { "entry" }).empty())
     {
       found.push_back(&row);
     }
@@ -47,7 +47,7 @@ Json GetAdvice(const Json& oneCase, const std::string& list, const std::string& 
     {
       const Number value = FindNumber(one, { limit });
       if (Is(one, "pixels", pixels) && value &&
-        std::find(limits.begin(), limits.end(), value) == limits.end())
+          std::find(limits.begin(), limits.end(), value) == limits.end())
       {
         limits.push_back(value);
       }
@@ -63,7 +63,7 @@ Json GetAdvice(const Json& oneCase, const std::string& list, const std::string& 
         {
           const std::string id = FindText(one, { "entry" });
           if (!Is(one, "pixels", pixels) || !Is(one, "time", time) || id.empty() ||
-            FindNumber(one, { limit }) != value)
+              FindNumber(one, { limit }) != value)
           {
             continue;
           }
@@ -136,8 +136,9 @@ Json GetFronts(const Json& oneCase, const std::string& id)
     }
     if (isOn[0] || isOn[1])
     {
-      labels.push_back({ { "label",
-        std::string(pixels) + (isOn[0] && isOn[1] ? "" : isOn[0] ? ", static" : ", dynamic") } });
+      labels.push_back({ { "label", std::string(pixels) + (isOn[0] && isOn[1] ? ""
+                                                            : isOn[0]         ? ", static"
+                                                                              : ", dynamic") } });
     }
   }
   return labels;
@@ -152,18 +153,18 @@ std::string Recommend(const Json& oneCase)
   if (!underError.is_null())
   {
     text = "Of what was measured here, " + GetName(oneCase, FindText(underError, { "entry" })) +
-      " is the fastest whose error in the penumbra is at most " +
-      WriteShort(FindNumber(underError, { "error" })) + ": it adds " +
-      WriteMilliseconds(FindNumber(underError, { "milliseconds" })) +
-      " ms to a frame while the camera moves.";
+           " is the fastest whose error in the penumbra is at most " +
+           WriteShort(FindNumber(underError, { "error" })) + ": it adds " +
+           WriteMilliseconds(FindNumber(underError, { "milliseconds" })) +
+           " ms to a frame while the camera moves.";
   }
   const Json& underTime = FindTypical(oneCase, "under_time");
   if (!underTime.is_null())
   {
     text += (text.empty() ? "" : " ") + std::string("Where at most ") +
-      WriteShort(FindNumber(underTime, { "milliseconds" })) + " ms may be added, " +
-      GetName(oneCase, FindText(underTime, { "entry" })) + " has the smallest error, " +
-      WriteError(FindNumber(underTime, { "error" })) + ".";
+            WriteShort(FindNumber(underTime, { "milliseconds" })) + " ms may be added, " +
+            GetName(oneCase, FindText(underTime, { "entry" })) + " has the smallest error, " +
+            WriteError(FindNumber(underTime, { "error" })) + ".";
   }
   return text;
 }
@@ -187,23 +188,22 @@ Json GetEntries(const Json& oneCase, double framesWanted)
   for (const Json& entry : FindList(oneCase, { "entries" }))
   {
     const std::string id = FindText(entry, { "id" });
-    const auto write = [&](const char* pixels) {
-      return WriteAboveNoise(GetError(entry, pixels), GetNoise(oneCase, pixels));
-    };
+    const auto write = [&](const char* pixels)
+    { return WriteAboveNoise(GetError(entry, pixels), GetNoise(oneCase, pixels)); };
     Json front = GetFronts(oneCase, id);
-    rows.push_back({ { "label", GetName(entry) }, { "details", GetDetails(entry) },
-      { "peer", IsPeer(entry) },
-      { "skipped", IsSkipped(entry) ? FindText(entry, { "skipped" }) : "" },
-      { "measured", !IsSkipped(entry) }, { "on_front", !front.empty() }, { "front", front },
-      { "penumbra", write("penumbra") }, { "rmse", write("all") },
-      { "bias", WriteSigned(FindNumber(entry, { "error", "bias" })) },
-      { "p99", WriteError(FindNumber(entry, { "error", "p99" })) },
-      { "maximum", WriteError(FindNumber(entry, { "error", "maximum" })) },
-      { "correctness", WritePercent(FindNumber(entry, { "picture", "correctness" })) },
-      { "static", GetTime(entry, "static", framesWanted) },
-      { "dynamic", GetTime(entry, "dynamic", framesWanted) },
-      { "build", WriteMilliseconds(FindNumber(entry, { "time", "build_milliseconds" })) },
-      { "bytes", WriteBytes(FindNumber(entry, { "bytes" })) } });
+    rows.push_back(
+      { { "label", GetName(entry) }, { "details", GetDetails(entry) }, { "peer", IsPeer(entry) },
+        { "skipped", IsSkipped(entry) ? FindText(entry, { "skipped" }) : "" },
+        { "measured", !IsSkipped(entry) }, { "on_front", !front.empty() }, { "front", front },
+        { "penumbra", write("penumbra") }, { "rmse", write("all") },
+        { "bias", WriteSigned(FindNumber(entry, { "error", "bias" })) },
+        { "p99", WriteError(FindNumber(entry, { "error", "p99" })) },
+        { "maximum", WriteError(FindNumber(entry, { "error", "maximum" })) },
+        { "correctness", WritePercent(FindNumber(entry, { "picture", "correctness" })) },
+        { "static", GetTime(entry, "static", framesWanted) },
+        { "dynamic", GetTime(entry, "dynamic", framesWanted) },
+        { "build", WriteMilliseconds(FindNumber(entry, { "time", "build_milliseconds" })) },
+        { "bytes", WriteBytes(FindNumber(entry, { "bytes" })) } });
   }
   return rows;
 }
@@ -250,7 +250,7 @@ Json GetEqualTime(const Json& oneCase)
           const Number added = GetAdded(entry, time);
           const Number error = GetError(entry, pixels);
           if (IsTechnique(entry) && !Is(entry, "technique", rays) && added && error &&
-            *added <= *limit && (!best || *error < *GetError(*best, pixels)))
+              *added <= *limit && (!best || *error < *GetError(*best, pixels)))
           {
             best = &entry;
           }
@@ -294,35 +294,36 @@ Json GetExponents(const Json& scaling)
   // The cost of these should grow no faster than they do.
   static const std::vector<std::string> bounded = { "triangles", "pixels", "lights" };
   constexpr double bound = 1.05;
-  std::vector<std::pair<std::string, std::string>> known;
-  Json rows = Json::array();
-  for (const Json& line : scaling)
+  const auto axes = FindTexts(scaling, "axis");
+  Json columns = Json::array();
+  for (const std::string& axis : axes)
   {
-    const std::string axis = FindText(line, { "axis" });
-    const std::string entry = FindText(line, { "entry" });
-    if (std::find(known.begin(), known.end(), std::pair(axis, entry)) != known.end())
+    columns.push_back({ { "axis", axis } });
+  }
+  Json rows = Json::array();
+  for (const std::string& entry : FindTexts(scaling, "entry"))
+  {
+    Json row = { { "entry", entry }, { "cells", Json::array() } };
+    for (const std::string& axis : axes)
     {
-      continue;
-    }
-    known.emplace_back(axis, entry);
-    const bool isBounded = std::find(bounded.begin(), bounded.end(), axis) != bounded.end();
-    Json row = { { "axis", axis }, { "entry", entry }, { "bound", isBounded ? "1.05" : "" },
-      { "cells", Json::array() } };
-    for (const char* time : times)
-    {
-      Number exponent;
-      for (const Json& other : scaling)
+      const bool isBounded = std::find(bounded.begin(), bounded.end(), axis) != bounded.end();
+      for (const char* time : times)
       {
-        if (Is(other, "axis", axis) && Is(other, "entry", entry) && Is(other, "time", time))
+        Number exponent;
+        for (const Json& line : scaling)
         {
-          exponent = FindNumber(other, { "exponent" });
+          if (Is(line, "axis", axis) && Is(line, "entry", entry) && Is(line, "time", time))
+          {
+            exponent = FindNumber(line, { "exponent" });
+          }
         }
+        row["cells"].push_back({ { "exponent", WritePercent(exponent) },
+          { "over", isBounded && exponent && *exponent > bound },
+          { "first", std::string(time) == times[0] } });
       }
-      row["cells"].push_back({ { "exponent", WritePercent(exponent) },
-        { "over", isBounded && exponent && *exponent > bound } });
     }
     rows.push_back(row);
   }
-  return rows;
+  return { { "axes", columns }, { "rows", rows } };
 }
 }

@@ -24,7 +24,7 @@ Json GetEqualTime(const Json& oneCase);
 Json GetPublished(const Json& oneCase);
 ///@}
 
-/** How the cost grows: a row for each axis and entry. */
+/** How the cost grows: the axes, and a row for each entry. */
 Json GetExponents(const Json& scaling);
 }
 
