@@ -36,7 +36,7 @@ nlohmann::ordered_json DescribeMachine()
   system.RunCPUCheck();
   system.RunOSCheck();
   system.RunMemoryCheck();
-  return { { "processor", std::string(system.GetExtendedProcessorName()) },
+  return { { "processor", std::string(system.GetModelName()) },
     { "cores", system.GetNumberOfLogicalCPU() },
     { "memory_bytes", 1048576.0 * static_cast<double>(system.GetTotalPhysicalMemory()) },
     { "system", std::string(system.GetOSName()) + " " + system.GetOSRelease() + " " +
