@@ -64,7 +64,8 @@ def techniques(cases):
 def machine(suites):
     lines = []
     for name, results in suites.items():
-        one, gl = results["machine"], results["gl"]
+        one = results["machine"]
+        gl = results["gl"] or dict.fromkeys(("version", "vendor", "renderer"))
         memory = f", {one['memory_bytes'] / 2 ** 30:.0f} GiB" if one["memory_bytes"] else ""
         libraries = ", ".join(f"{k} {v}" for k, v in results["libraries"].items())
         place = (f"{one['processor']}, {one['cores']} cores{memory}, {one['system']}; "
@@ -85,7 +86,7 @@ def fronts(results):
     lines = []
     for case in results["cases"]:
         entries = {entry["id"]: entry for entry in case["entries"]}
-        noise = case["reference"]["noise"]["penumbra_rmse"]
+        noise = ((case["reference"] or {}).get("noise") or {}).get("penumbra_rmse")
         lines += [f"**{case['id']}**, {case['scene']['triangles']} triangles, "
                   f"{case['size'][0]} × {case['size'][1]}; the reference's own error "
                   f"{number(noise, 2)}.", ""]
@@ -95,6 +96,9 @@ def fronts(results):
                              number(penumbra(entries[name])))
                             for name in case["fronts"]["penumbra"][kind]])
         height = max(map(len, columns))
+        if not height:
+            lines += ["Not measured.", ""]
+            continue
         rows = zip(*(column + [("", "", "")] * (height - len(column)) for column in columns))
         lines += table([left + right for left, right in rows],
                        [h for kind in TIMES for h in (MOVES[kind], "ms", "error")]) + [""]
@@ -132,16 +136,17 @@ def ranks(results):
                 errors[entry["technique"]] = min(penumbra(entry), old)
     rows = []
     for technique in techniques(results["cases"]):
-        places, worst = [], (0.0, "–", "", "")
+        places, ratio, worst = [], 1.0, ["–"] * 3
         for case, errors in best.items():
             if technique not in errors:
                 places.append("–")
                 continue
             mine, winner = errors[technique], min(errors, key=errors.get)
             places.append(str(1 + sum(error < mine for error in errors.values())))
-            worst = max(worst, (mine / errors[winner], case, number(mine),
-                                f"{number(errors[winner])}, `{winner}`"))
-        rows.append([f"`{technique}`", *places, *worst[1:]])
+            if mine / errors[winner] > ratio:
+                ratio = mine / errors[winner]
+                worst = [case, number(mine), f"{number(errors[winner])}, `{winner}`"]
+        rows.append([f"`{technique}`", *places, *worst])
     return table(rows, ["technique", *best, "worst in", "error", "the best there"])
 
 

@@ -28,7 +28,8 @@ except ImportError:
 
 ROOT = pathlib.Path(__file__).parents[2]
 FILES = ["report.html", "results.csv", "results.json"]
-SMALL = ["--size", "120x90", "--reference-samples", "64"]
+# Square, since VTK 9.1's own pass is wrong in windows that are not.
+SMALL = ["--size", "100x100", "--reference-samples", "64"]
 FEW = ["--techniques", "map-hard,map-pcss,map-soft,vtkShadowMapPass,ray-traced",
        "--sweep", "map-pcss:samples=8,32", "--sweep", "map-soft:samples=4,16",
        "--sweep", "map-hard:resolution=256,512", "--sweep", "ray-traced:samples=1,4,16"]
@@ -130,7 +131,7 @@ class Report(BenchTest):
         self.assertEqual(self.results["suite"], "quick")
         self.assertEqual(self.case["scene"]["name"], "blocker")
         self.assertEqual(self.case["scene"]["triangles"], 4)
-        self.assertEqual(self.case["size"], [120, 90])
+        self.assertEqual(self.case["size"], [100, 100])
         self.assertEqual(self.case["reference"]["samples"], 64)
         self.assertGreater(self.case["reference"]["noise"]["rmse"], 0)
         ids = [entry["id"] for entry in self.case["entries"]]
@@ -371,11 +372,11 @@ class Ends(BenchTest):
         process = subprocess.Popen(
             [COMMAND, "bench", "--scene", "basic", "--size", "300x300", "--reference-samples",
              "16", "--frames", "1000", "--budget", "600", "-o", "out"],
-            cwd=self.folder, env=ENVIRONMENT, stderr=subprocess.PIPE, text=True)
+            cwd=self.folder, env=ENVIRONMENT, stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL)
         time.sleep(4)
         process.send_signal(signal.SIGINT)
-        process.communicate(timeout=60)
-        self.assertEqual(process.returncode, 130)
+        self.assertEqual(process.wait(timeout=60), 130)
         self.assertEqual(os.listdir(self.folder), ["out"])
         self.assertEqual(sorted(os.listdir(self.path("out"))), FILES)
         results = self.read("out")
