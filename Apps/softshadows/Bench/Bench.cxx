@@ -75,12 +75,12 @@ void UseScene(BenchPlan& plan, const BenchOptions& options, const CLI::App& comm
   {
     plan.Cases.push_back(one);
     plan.Cases.back().LightScale = scales[i];
+    plan.Cases.back().Budget = one.Budget / static_cast<double>(scales.size());
     if (!options.Lights.empty())
     {
       plan.Cases.back().Id += ", light x " + Values::Split(options.Lights)[i];
     }
   }
-  plan.Budget /= static_cast<double>(scales.size());
 }
 
 //------------------------------------------------------------------------------
@@ -91,18 +91,13 @@ void Override(BenchPlan& plan, const BenchOptions& options)
     BenchPlans::Select(plan, Values::Split(options.Techniques));
   }
   BenchPlans::Sweep(plan, options.Sweeps);
-  if (options.Budget)
+  const double share = options.Budget ? *options.Budget / plan.GetBudget() : 1.0;
+  for (BenchCase& one : plan.Cases)
   {
-    plan.Budget = *options.Budget / static_cast<double>(plan.Cases.size());
+    one.Budget *= share;
+    one.ReferenceSamples = options.ReferenceSamples.value_or(one.ReferenceSamples);
   }
   plan.Frames = options.Frames.value_or(plan.Frames);
-  if (options.ReferenceSamples)
-  {
-    for (BenchCase& one : plan.Cases)
-    {
-      one.ReferenceSamples = *options.ReferenceSamples;
-    }
-  }
   BenchPlans::Check(plan);
 }
 
@@ -164,17 +159,19 @@ void Run(const BenchPlan& plan, const std::string& folder, const std::string& co
   BenchResults results(plan, commandLine);
   {
     const Interruption interruption;
-    double left = plan.Budget * static_cast<double>(plan.Cases.size());
+    double left = plan.GetBudget();
+    double wanted = left;
     for (std::size_t i = 0; i < plan.Cases.size() && !Interruption::IsAsked(); ++i)
     {
+      const BenchCase& one = plan.Cases[i];
       const auto start = std::chrono::steady_clock::now();
-      BenchMeasure measure(plan, plan.Cases[i]);
+      BenchMeasure measure(plan, one);
       Messages::ShowWarnings();
       // What earlier cases left over is spread over the rest.
-      measure.Run(left / static_cast<double>(plan.Cases.size() - i),
-        plan.Name + " " + std::to_string(i + 1) + " of " + std::to_string(plan.Cases.size()) +
-          ", " + plan.Cases[i].Id);
+      measure.Run(left * one.Budget / wanted, plan.Name + " " + std::to_string(i + 1) + " of " +
+                                                std::to_string(plan.Cases.size()) + ", " + one.Id);
       left -= std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      wanted -= one.Budget;
       results.Add(measure);
       results.PrintTable();
     }

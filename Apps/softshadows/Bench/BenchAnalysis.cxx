@@ -193,10 +193,11 @@ void Advise(const Json& one, const std::string& pixels, const std::string& timeK
 }
 
 //------------------------------------------------------------------------------
-Json GetPublished(const Json& published, const Json& unshadowed, const std::string& key)
+Json GetPublished(
+  const Json& published, const Json& unshadowed, const std::string& key, bool withErrors)
 {
   Json json;
-  if (published.contains("correctness"))
+  if (withErrors && published.contains("correctness"))
   {
     json["correctness"] = published["correctness"];
   }
@@ -265,8 +266,8 @@ void AddToCase(Json& one, const BenchPlan& plan)
     const Json& published = plan.Entries[i].Published;
     if (!published.is_null())
     {
-      const Json figures =
-        GetPublished(published, plan.Published["unshadowed_milliseconds"], one["published"]);
+      const Json figures = GetPublished(published, plan.Published["unshadowed_milliseconds"],
+        one["published"], !one["reference"].is_null());
       if (!figures.is_null())
       {
         one["entries"][i]["published"] = figures;

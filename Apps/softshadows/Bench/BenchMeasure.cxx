@@ -157,17 +157,19 @@ void BenchMeasure::Internals::Leave(Contestant& contestant)
 }
 
 //------------------------------------------------------------------------------
-// Two references of different seeds: their mean is the truth, and half of how they differ its noise.
+// Two references of different seeds: their mean is the truth, and half of how they differ its noise. Rays
+// that are measured have another seed, 0.
 void BenchMeasure::Internals::DrawReference()
 {
   const auto pass = References::MakePass(this->Case.ReferenceSamples);
+  pass->SetParameter("seed", "1");
   vtkAreaLight* light = this->Stage.GetLights().front();
   this->Truth = References::Draw(this->Stage.GetWindow(), pass, light);
   if (Interruption::IsAsked())
   {
     return;
   }
-  pass->SetParameter("seed", "1");
+  pass->SetParameter("seed", "2");
   const Reference second = References::Draw(this->Stage.GetWindow(), pass, light);
   this->Truth.Milliseconds += second.Milliseconds;
 
@@ -388,7 +390,8 @@ Json BenchMeasure::Internals::GetJSON(const Contestant& contestant) const
   }
   if (contestant.Static.Whole.empty() && contestant.Error.is_null())
   {
-    json["skipped"] = "the time was over before it was measured";
+    json["skipped"] = Interruption::IsAsked() ? "interrupted before it was measured"
+                                              : "the time was over before it was measured";
     return json;
   }
   json["error"] = contestant.Error;

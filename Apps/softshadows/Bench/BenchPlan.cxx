@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <numeric>
 #include <set>
 
 const char* const BenchPlans::VTKPeer = "vtkShadowMapPass";
@@ -84,6 +85,13 @@ std::string BenchEntry::GetId() const
     id += " " + value.first + "=" + value.second;
   }
   return id;
+}
+
+//------------------------------------------------------------------------------
+double BenchPlan::GetBudget() const
+{
+  return std::accumulate(this->Cases.begin(), this->Cases.end(), 0.0,
+    [](double sum, const BenchCase& one) { return sum + one.Budget; });
 }
 
 namespace BenchPlans

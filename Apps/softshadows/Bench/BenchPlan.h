@@ -28,6 +28,7 @@ struct BenchCase
   };
   std::optional<View> Camera;
   TechniqueOptions Settings;   // of techniques, where an entry does not set them itself
+  double Budget = 100.0;       // seconds
   int ReferenceSamples = 1024; // rays a pixel; 0: errors are not measured
   std::string Axis;            // of "scaling": what this case varies
   std::string Published;       // key of the entries' published figures
@@ -65,8 +66,10 @@ struct BenchPlan
   BenchCase Default;               // what a scene of the user's own takes from the plan
   std::vector<BenchEntry> Entries; // the first draws no shadows
   int Frames = 15;                 // wanted for each median
-  double Budget = 100.0;           // seconds a case
   nlohmann::ordered_json Published;
+
+  /** Seconds of all cases. */
+  double GetBudget() const;
 };
 
 namespace BenchPlans

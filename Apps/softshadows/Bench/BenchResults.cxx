@@ -68,7 +68,7 @@ constexpr Column Columns[] = { { "technique", "/technique" }, { "kind", "/kind" 
   { "maximum", "/error/maximum" }, { "penumbra_rmse", "/error/penumbra/rmse" },
   { "penumbra_bias", "/error/penumbra/bias" }, { "penumbra_p99", "/error/penumbra/p99" },
   { "penumbra_maximum", "/error/penumbra/maximum" },
-  { "correctness_percent", "/picture/correctness" }, { "psnr_db", "/picture/psnr" },
+  { "correctness_percent", "/picture/correctness_percent" }, { "psnr_db", "/picture/psnr_db" },
   { "static_ms", "/time/static/median" }, { "static_added_ms", "/time/static/added/median" },
   { "static_added_lower_ms", "/time/static/added/lower" },
   { "static_added_upper_ms", "/time/static/added/upper" }, { "static_ratio", "/time/static/ratio" },
@@ -99,10 +99,9 @@ BenchResults::BenchResults(const BenchPlan& plan, const std::string& command)
     { "date", GetDate() }, { "command", command }, { "machine", DescribeMachine() },
     { "gl", nullptr }, { "libraries", DescribeLibraries() },
     { "seeds",
-      { { "reference", { 0, 1 } }, { "techniques", "none: patterns depend on pixels alone" } } },
-    { "budget_seconds", plan.Budget * static_cast<double>(plan.Cases.size()) },
-    { "frames_wanted", plan.Frames }, { "cases", nlohmann::ordered_json::array() },
-    { "scaling", nlohmann::ordered_json::array() } };
+      { { "reference", { 1, 2 } }, { "techniques", "none: patterns depend on pixels alone" } } },
+    { "budget_seconds", plan.GetBudget() }, { "frames_wanted", plan.Frames },
+    { "cases", nlohmann::ordered_json::array() }, { "scaling", nlohmann::ordered_json::array() } };
 }
 
 //------------------------------------------------------------------------------

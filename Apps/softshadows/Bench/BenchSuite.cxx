@@ -125,6 +125,7 @@ BenchCase ReadCase(const Json& json, const Json& suite, const std::string& file)
     one.Settings.Settings.push_back(*setting);
   }
   one.ReferenceSamples = json.value("reference", suite.value("reference", 1024));
+  one.Budget = json.value("budget", suite.value("budget", one.Budget));
   one.Axis = json.value("axis", "");
   one.Published = json.value("published", "");
   return one;
@@ -209,7 +210,6 @@ BenchPlan Load(const std::string& nameOrFile)
   plan.Title = suite["title"].get<std::string>();
   plan.About = suite.value("about", "");
   plan.Frames = suite.value("frames", plan.Frames);
-  plan.Budget = suite.value("budget", plan.Budget);
   plan.Published = suite.value("published", Json());
   const Json cases = suite.value("cases", Json::array());
   for (const Json& one : cases)

@@ -199,7 +199,7 @@ Json GetEntries(const Json& oneCase, double framesWanted)
         { "bias", WriteSigned(FindNumber(entry, { "error", "bias" })) },
         { "p99", WriteError(FindNumber(entry, { "error", "p99" })) },
         { "maximum", WriteError(FindNumber(entry, { "error", "maximum" })) },
-        { "correctness", WritePercent(FindNumber(entry, { "picture", "correctness" })) },
+        { "correctness", WritePercent(FindNumber(entry, { "picture", "correctness_percent" })) },
         { "static", GetTime(entry, "static", framesWanted) },
         { "dynamic", GetTime(entry, "dynamic", framesWanted) },
         { "build", WriteMilliseconds(FindNumber(entry, { "time", "build_milliseconds" })) },
@@ -281,7 +281,7 @@ Json GetPublished(const Json& oneCase)
         { "published_static", WriteRatio(FindNumber(published, { "static_ratio" })) },
         { "dynamic", WriteRatio(FindNumber(entry, { "time", "dynamic", "ratio" })) },
         { "published_dynamic", WriteRatio(FindNumber(published, { "dynamic_ratio" })) },
-        { "correctness", WritePercent(FindNumber(entry, { "picture", "correctness" })) },
+        { "correctness", WritePercent(FindNumber(entry, { "picture", "correctness_percent" })) },
         { "published_correctness", WritePercent(FindNumber(published, { "correctness" })) } });
     }
   }
