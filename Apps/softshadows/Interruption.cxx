@@ -16,15 +16,23 @@ Interruption::Interruption()
   struct sigaction action = {};
   action.sa_handler = Note;
   action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
-  sigaction(SIGINT, &action, &this->Interrupt);
-  sigaction(SIGTERM, &action, &this->Terminate);
+  for (std::size_t i = 0; i < Signals.size(); ++i)
+  {
+    sigaction(Signals[i], nullptr, &this->Old[i]);
+    if (this->Old[i].sa_handler != SIG_IGN)
+    {
+      sigaction(Signals[i], &action, nullptr);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
 Interruption::~Interruption()
 {
-  sigaction(SIGINT, &this->Interrupt, nullptr);
-  sigaction(SIGTERM, &this->Terminate, nullptr);
+  for (std::size_t i = 0; i < Signals.size(); ++i)
+  {
+    sigaction(Signals[i], &this->Old[i], nullptr);
+  }
 }
 
 //------------------------------------------------------------------------------

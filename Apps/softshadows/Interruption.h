@@ -3,9 +3,13 @@
 #ifndef Interruption_h
 #define Interruption_h
 
+#include <array>
 #include <csignal>
 
-/** While it lives, the first SIGINT or SIGTERM is noted instead of ending the command; the next ends it. */
+/**
+ * While it lives, the first SIGINT, SIGTERM or SIGHUP is noted instead of ending the command; another of
+ * the same kind ends it. One that was ignored stays so.
+ */
 class Interruption
 {
 public:
@@ -18,8 +22,8 @@ public:
   static bool IsAsked();
 
 private:
-  struct sigaction Interrupt = {};
-  struct sigaction Terminate = {};
+  static constexpr std::array<int, 3> Signals = { SIGINT, SIGTERM, SIGHUP };
+  struct sigaction Old[Signals.size()];
 };
 
 #endif

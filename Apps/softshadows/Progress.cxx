@@ -31,8 +31,9 @@ void Progress::Advance()
 }
 
 //------------------------------------------------------------------------------
-RemainingTime::RemainingTime(const std::string& title)
+RemainingTime::RemainingTime(const std::string& title, double later)
   : Title(title)
+  , Later(later)
 {
 }
 
@@ -51,8 +52,13 @@ void RemainingTime::Show(double seconds)
   if (Progress::IsShown())
   {
     const char* const toTheStartAndClear = "\r\033[K";
-    std::cerr << toTheStartAndClear << this->Title << ": " << std::lround(std::max(seconds, 0.0))
-              << " s left" << std::flush;
+    const long left = std::lround(std::max(seconds, 0.0));
+    std::cerr << toTheStartAndClear << this->Title << ": " << left << " s left";
+    if (this->Later > 0.0)
+    {
+      std::cerr << ", of all " << left + std::lround(this->Later) << " s";
+    }
+    std::cerr << std::flush;
   }
 }
 

@@ -29,7 +29,8 @@ private:
 class RemainingTime
 {
 public:
-  explicit RemainingTime(const std::string& title);
+  /** Other work takes `later` seconds after it. */
+  RemainingTime(const std::string& title, double later);
   ~RemainingTime();
   RemainingTime(const RemainingTime&) = delete;
   void operator=(const RemainingTime&) = delete;
@@ -37,6 +38,7 @@ public:
 
 private:
   std::string Title;
+  double Later;
 };
 
 /** Lets a display run for as long as work that reports nothing is expected to take. */

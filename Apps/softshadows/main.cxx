@@ -11,7 +11,10 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <new>
 
@@ -29,8 +32,16 @@ std::string JoinWords(int argc, char* argv[])
   for (int i = 1; i < argc; ++i)
   {
     const std::string word = argv[i];
-    const bool plain = !word.empty() && word.find_first_of(" \t\"'\\$*?") == std::string::npos;
-    line += plain ? " " + word : " '" + word + "'";
+    const bool plain = !word.empty() && std::all_of(word.begin(), word.end(),
+                                          [](unsigned char c) {
+                                            return std::isalnum(c) || std::strchr("-_./,:=+%@", c);
+                                          });
+    std::string quoted;
+    for (const char c : word)
+    {
+      quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    }
+    line += plain ? " " + word : " '" + quoted + "'";
   }
   return line;
 }

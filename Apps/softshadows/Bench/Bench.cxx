@@ -17,8 +17,11 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
+#include <new>
 #include <optional>
+#include <set>
 
 namespace
 {
@@ -46,6 +49,10 @@ std::vector<double> ParseLights(const std::string& text)
     if (word.empty() || *end != '\0' || !std::isfinite(scale) || scale < 0.0)
     {
       throw WrongUsage("--lights: \"" + word + "\" is no size: a number, 0 or more.");
+    }
+    if (std::find(scales.begin(), scales.end(), scale) != scales.end())
+    {
+      throw WrongUsage("--lights: " + word + " is given twice.");
     }
     scales.push_back(scale);
   }
@@ -145,46 +152,105 @@ std::vector<BenchPlan> MakePlans(const BenchOptions& options, const CLI::App& co
       }
     }
   }
+  std::set<std::string> names;
   for (BenchPlan& plan : plans)
   {
+    if (!names.insert(plan.Name).second)
+    {
+      throw WrongUsage("--suite: two suites are named " + plan.Name + ".");
+    }
     Override(plan, options);
   }
   return plans;
 }
 
 //------------------------------------------------------------------------------
+// Measure a case. What keeps it from being measured is noted: the others are worth having all the same.
+void Measure(
+  BenchResults& results, const BenchPlan& plan, std::size_t i, double seconds, double later)
+{
+  const BenchCase& one = plan.Cases[i];
+  try
+  {
+    BenchMeasure measure(plan, one);
+    Messages::ShowWarnings();
+    measure.Run(seconds, later,
+      plan.Name + " " + std::to_string(i + 1) + " of " + std::to_string(plan.Cases.size()) + ", " +
+        one.Id);
+    results.Add(measure);
+    results.PrintTable();
+  }
+  catch (const Failure& failure)
+  {
+    results.AddFailure(one.Id, failure.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    results.AddFailure(one.Id, "out of memory");
+  }
+}
+
+//------------------------------------------------------------------------------
 // A suite is handed over when it is done, or as far as it came.
 void Run(const BenchPlan& plan, const std::string& folder, const std::string& commandLine)
 {
+  const Interruption interruption;
   BenchResults results(plan, commandLine);
+  double left = plan.GetBudget();
+  double wanted = left;
+  for (std::size_t i = 0; i < plan.Cases.size() && !Interruption::IsAsked(); ++i)
   {
-    const Interruption interruption;
-    double left = plan.GetBudget();
-    double wanted = left;
-    for (std::size_t i = 0; i < plan.Cases.size() && !Interruption::IsAsked(); ++i)
+    if (left <= 0.0)
     {
-      const BenchCase& one = plan.Cases[i];
-      const auto start = std::chrono::steady_clock::now();
-      BenchMeasure measure(plan, one);
-      Messages::ShowWarnings();
-      // What earlier cases left over is spread over the rest.
-      measure.Run(left * one.Budget / wanted, plan.Name + " " + std::to_string(i + 1) + " of " +
-                                                std::to_string(plan.Cases.size()) + ", " + one.Id);
-      left -= std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      wanted -= one.Budget;
-      results.Add(measure);
-      results.PrintTable();
+      results.AddFailure(plan.Cases[i].Id, "the time was over before it was measured");
+      continue;
     }
-    if (Interruption::IsAsked())
-    {
-      results.SetIncomplete();
-    }
+    // What earlier cases left over is spread over the rest.
+    const double seconds = left * plan.Cases[i].Budget / wanted;
+    const auto start = std::chrono::steady_clock::now();
+    Measure(results, plan, i, seconds, left - seconds);
+    left -= std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    wanted -= plan.Cases[i].Budget;
+  }
+  if (Interruption::IsAsked())
+  {
+    results.SetIncomplete();
   }
   if (!folder.empty())
   {
+    const auto files = results.GetFiles();
     Outputs outputs;
-    results.Stage(outputs, folder);
+    for (const auto& file : files)
+    {
+      outputs.StageText(folder + "/" + file.first, file.second);
+    }
     outputs.Commit();
+  }
+  results.ThrowFailure();
+}
+
+//------------------------------------------------------------------------------
+// Find out now what would keep the files from being written.
+void PlanOutputs(const std::string& output, const std::vector<std::string>& folders)
+{
+  if (output.empty())
+  {
+    return;
+  }
+  Outputs outputs;
+  outputs.PlanFolder(output);
+  for (const std::string& folder : folders)
+  {
+    std::error_code ignored;
+    if (!std::filesystem::exists(folder, ignored))
+    {
+      continue;
+    }
+    outputs.PlanFolder(folder);
+    for (const char* name : BenchResults::FileNames)
+    {
+      outputs.PlanText(folder + "/" + name);
+    }
   }
 }
 
@@ -192,19 +258,21 @@ void Run(const BenchPlan& plan, const std::string& folder, const std::string& co
 void Bench(const CLI::App& command, const BenchOptions& options, const std::string& commandLine)
 {
   const auto plans = MakePlans(options, command);
-  if (!options.Output.empty())
-  {
-    Outputs().PlanFolder(options.Output);
-  }
+  std::vector<std::string> folders;
   for (const BenchPlan& plan : plans)
   {
     const bool several = plans.size() > 1 && !options.Output.empty();
-    Run(plan, several ? options.Output + "/" + plan.Name : options.Output, commandLine);
+    folders.push_back(several ? options.Output + "/" + plan.Name : options.Output);
+  }
+  PlanOutputs(options.Output, folders);
+  for (std::size_t i = 0; i < plans.size(); ++i)
+  {
+    Run(plans[i], folders[i], commandLine);
     if (Interruption::IsAsked())
     {
-      throw Interrupted(several || !options.Output.empty()
-                          ? "interrupted; what was measured is in \"" + options.Output + "\"."
-                          : "interrupted.");
+      throw Interrupted(options.Output.empty()
+                          ? "interrupted."
+                          : "interrupted; what was measured is in \"" + options.Output + "\".");
     }
   }
 }

@@ -42,10 +42,10 @@ Points GetPoints(const Json& one, const std::string& pixels, const std::string& 
 {
   Points points;
   const Json& reference = one["reference"];
-  const double noise =
-    reference.is_null()
-      ? 0.0
-      : reference["noise"][pixels == "penumbra" ? "penumbra_rmse" : "rmse"].get<double>();
+  const char* noiseName = pixels == "penumbra" ? "penumbra_rmse" : "rmse";
+  const double noise = reference.is_null() || reference["noise"][noiseName].is_null()
+                         ? 0.0
+                         : reference["noise"][noiseName].get<double>();
   for (const Json& entry : one["entries"])
   {
     const auto has = [&entry](const char* name)
@@ -55,6 +55,10 @@ Points GetPoints(const Json& one, const std::string& pixels, const std::string& 
       continue;
     }
     const Json& errors = pixels == "penumbra" ? entry["error"]["penumbra"] : entry["error"];
+    if (errors["rmse"].is_null())
+    {
+      continue; // no pixel lies in a penumbra
+    }
     points.push_back(
       { &entry, GetAdded(entry, timeKind), std::max(errors["rmse"].get<double>(), noise) });
   }
@@ -110,6 +114,7 @@ struct RayCost
 {
   double Rays;
   double Time;
+  bool Beyond; // the error is less than what all settings reach: it takes more
 };
 
 RayCost FindRayCost(const Points& rays, double error)
@@ -119,12 +124,12 @@ RayCost FindRayCost(const Points& rays, double error)
   if (more == rays.begin() || more == rays.end())
   {
     const Point& nearest = more == rays.end() ? rays.back() : rays.front();
-    return { GetRays(nearest), nearest.Time };
+    return { GetRays(nearest), nearest.Time, more == rays.end() };
   }
   const Point& less = *(more - 1);
   const double share = std::log(error / less.Error) / std::log(more->Error / less.Error);
   const auto mix = [share](double a, double b) { return a * std::pow(b / a, share); };
-  return { mix(GetRays(less), GetRays(*more)), mix(less.Time, more->Time) };
+  return { mix(GetRays(less), GetRays(*more)), mix(less.Time, more->Time), false };
 }
 
 //------------------------------------------------------------------------------
@@ -147,7 +152,8 @@ Json CompareWithRays(const Json& one, const std::string& pixels, const std::stri
       const RayCost cost = FindRayCost(rays, point.Error);
       rows.push_back({ { "pixels", pixels }, { "time", timeKind }, { "error", point.Error },
         { "entry", (*point.Entry)["id"] }, { "milliseconds", point.Time }, { "rays", cost.Rays },
-        { "rays_milliseconds", cost.Time }, { "factor", cost.Time / point.Time } });
+        { "rays_milliseconds", cost.Time }, { "factor", cost.Time / point.Time },
+        { "beyond", cost.Beyond } });
     }
   }
   return rows;
@@ -284,6 +290,7 @@ Json GetScaling(const Json& cases)
   {
     Json Head;
     Series Points;
+    int LeftOut = 0;
   };
   std::vector<Curve> curves;
   for (const Json& one : cases)
@@ -313,6 +320,10 @@ Json GetScaling(const Json& cases)
         {
           curve->Points.emplace_back(one["value"].get<double>(), added);
         }
+        else
+        {
+          ++curve->LeftOut;
+        }
       }
     }
   }
@@ -320,7 +331,11 @@ Json GetScaling(const Json& cases)
   for (const Curve& curve : curves)
   {
     Json json = curve.Head;
-    json["exponent"] = curve.Points.size() > 1 ? Json(FitExponent(curve.Points)) : Json();
+    const std::size_t count = curve.Points.size();
+    json["exponent"] = count > 1 ? Json(FitExponent(curve.Points)) : Json();
+    json["last_exponent"] =
+      count > 1 ? Json(FitExponent({ curve.Points[count - 2], curve.Points[count - 1] })) : Json();
+    json["left_out"] = curve.LeftOut;
     json["points"] = curve.Points;
     scaling.push_back(json);
   }

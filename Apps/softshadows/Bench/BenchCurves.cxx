@@ -58,6 +58,36 @@ bool CanShow(const BenchFigures::Number& x, const BenchFigures::Number& y)
 }
 
 //------------------------------------------------------------------------------
+// Markers at all settings; a line through those that no other of the same technique beats in both, since
+// settings of several parameters have no order.
+void AddFronts(
+  const std::map<CurveStyles::Key, Points>& found, const CurveStyles& styles, CurveChart& chart)
+{
+  for (const auto& [key, points] : found)
+  {
+    Points sorted = points;
+    std::sort(sorted.begin(), sorted.end());
+    ChartCurve front = { styles.Get(key), {} };
+    front.Style.Marker = vtkPlotPoints::NONE;
+    for (const auto& point : sorted)
+    {
+      if (front.Points.empty() || point[1] < front.Points.back()[1])
+      {
+        front.Points.push_back(point);
+      }
+    }
+    if (front.Points.size() > 1)
+    {
+      chart.Content.Curves.push_back(front);
+    }
+    ChartCurve settings = { styles.Get(key), sorted };
+    settings.Style.Line = vtkPen::NO_PEN;
+    chart.Content.Curves.push_back(settings);
+    chart.Shown.push_back(key);
+  }
+}
+
+//------------------------------------------------------------------------------
 void AddCurves(
   const std::map<CurveStyles::Key, Points>& found, const CurveStyles& styles, CurveChart& chart)
 {
@@ -181,7 +211,7 @@ CurveChart MakeErrorChart(const Json& oneCase, const std::string& pixels, const 
     chart.Content.Curves.push_back(front); // below the others
   }
   chart.Content.Floor = std::max(0.0, BenchFigures::GetNoise(oneCase, pixels).value_or(0.0));
-  AddCurves(found, styles, chart);
+  AddFronts(found, styles, chart);
   return chart;
 }
 

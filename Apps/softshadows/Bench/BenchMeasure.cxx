@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <map>
+#include <sstream>
 
 namespace
 {
@@ -28,6 +28,20 @@ using Clock = std::chrono::steady_clock;
 
 /** Fewer frames than these have no median worth the name: an entry gets them before others get more. */
 constexpr std::size_t LeastFrames = 3;
+
+/** Where no pixel lies in a penumbra there is no error in it. */
+Json ParseErrors(vtkVisibilityMetrics* metrics)
+{
+  Json json = Json::parse(metrics->GetJSON());
+  if (json["penumbra"]["pixels"] == 0)
+  {
+    for (const char* name : { "rmse", "bias", "p99", "maximum" })
+    {
+      json["penumbra"][name] = nullptr;
+    }
+  }
+  return json;
+}
 
 double SecondsSince(Clock::time_point start)
 {
@@ -75,8 +89,9 @@ struct Contestant
   Json Bytes;
   Image Frame;
   Image Difference;
-  Times Static;      // the camera moved
-  Times Dynamic;     // the lights moved
+  Times Static;  // the camera moved
+  Times Dynamic; // the lights moved
+  int Turns = 0;
   double Used = 0.0; // seconds of timing
 };
 }
@@ -90,12 +105,12 @@ public:
   void Leave(Contestant& contestant);
   void DrawReference();
   void MeasureError(Contestant& contestant);
-  void MeasureErrors(double seconds, const std::string& title);
+  void MeasureErrors(double seconds, RemainingTime& remaining);
   void ReadBytes(Contestant& contestant);
   void Compare(Contestant& contestant, vtkImageData* visibility);
   void TimeUnshadowed();
   void Time(Contestant& contestant);
-  void TimeAll(double seconds, const std::string& title);
+  void TimeAll(double seconds, RemainingTime& remaining);
   bool Needs(const Contestant& contestant) const;
   Json GetJSON(const Contestant& contestant) const;
 
@@ -105,6 +120,9 @@ public:
   std::vector<Contestant> Contestants; // the first draws no shadows
   Reference Truth;                     // the mean of two references
   Json Noise;
+  Json SceneJSON;                // before anything has moved
+  double UnshadowedStatic = 0.0; // milliseconds, in this turn
+  double UnshadowedDynamic = 0.0;
 };
 
 //------------------------------------------------------------------------------
@@ -113,6 +131,7 @@ BenchMeasure::Internals::Internals(const BenchPlan& plan, const BenchCase& one)
   , Case(one)
   , Stage(one)
   , Contestants(plan.Entries.size())
+  , SceneJSON(Stage.GetScene().GetJSON())
 {
   for (std::size_t i = 0; i < plan.Entries.size(); ++i)
   {
@@ -186,17 +205,17 @@ void BenchMeasure::Internals::DrawReference()
   noise->SetReference(this->Truth.Visibility);
   noise->Update();
   Messages::Check("reference");
-  this->Noise = Json::parse(noise->GetJSON());
+  this->Noise = ParseErrors(noise);
 }
 
 //------------------------------------------------------------------------------
-void BenchMeasure::Internals::MeasureErrors(double seconds, const std::string& title)
+// Half of the time at most: the other half is for the times.
+void BenchMeasure::Internals::MeasureErrors(double seconds, RemainingTime& remaining)
 {
   const auto start = Clock::now();
-  Progress progress(title, this->Contestants.size());
   for (Contestant& contestant : this->Contestants)
   {
-    if (Interruption::IsAsked() || SecondsSince(start) > seconds)
+    if (Interruption::IsAsked() || SecondsSince(start) > 0.5 * seconds)
     {
       return;
     }
@@ -204,7 +223,7 @@ void BenchMeasure::Internals::MeasureErrors(double seconds, const std::string& t
     {
       this->MeasureError(contestant);
     }
-    progress.Advance();
+    remaining.Show(seconds - SecondsSince(start));
   }
 }
 
@@ -252,7 +271,7 @@ void BenchMeasure::Internals::Compare(Contestant& contestant, vtkImageData* visi
   picture->SetReference(this->Truth.Frame);
   picture->Update();
   Messages::Check(contestant.Entry->GetId());
-  contestant.Error = Json::parse(errors->GetJSON());
+  contestant.Error = ParseErrors(errors);
   contestant.Picture = Json::parse(picture->GetJSON());
   contestant.Difference = References::Copy(errors->GetDifferenceImage());
 }
@@ -280,9 +299,15 @@ void BenchMeasure::Internals::TimeUnshadowed()
     this->Stage.MoveLights();
     moving.push_back(window.Render());
   }
+  this->UnshadowedStatic = Statistics::GetMedian(still);
+  this->UnshadowedDynamic = Statistics::GetMedian(moving);
   Contestant& none = this->Contestants.front();
-  none.Static.Add(Statistics::GetMedian(still), Statistics::GetMedian(still));
-  none.Dynamic.Add(Statistics::GetMedian(moving), Statistics::GetMedian(moving));
+  for (std::size_t i = 0; i < still.size(); ++i)
+  {
+    none.Static.Add(still[i], this->UnshadowedStatic);
+    none.Dynamic.Add(moving[i], this->UnshadowedDynamic);
+  }
+  ++none.Turns;
 }
 
 //------------------------------------------------------------------------------
@@ -290,10 +315,9 @@ void BenchMeasure::Internals::TimeUnshadowed()
 // more frames follow it.
 void BenchMeasure::Internals::Time(Contestant& contestant)
 {
-  constexpr int mostFrames = 5;
+  constexpr int mostFrames = 3;
   const auto start = Clock::now();
   OffscreenWindow& window = this->Stage.GetWindow();
-  const Contestant& none = this->Contestants.front();
   try
   {
     this->Enter(contestant);
@@ -310,8 +334,8 @@ void BenchMeasure::Internals::Time(Contestant& contestant)
         contestant.VTK->Follow();
       }
       const double moving = window.Render();
-      contestant.Static.Add(still, none.Static.Whole.back());
-      contestant.Dynamic.Add(moving, none.Dynamic.Whole.back());
+      contestant.Static.Add(still, this->UnshadowedStatic);
+      contestant.Dynamic.Add(moving, this->UnshadowedDynamic);
       timed += still + moving;
     }
   }
@@ -320,16 +344,16 @@ void BenchMeasure::Internals::Time(Contestant& contestant)
     contestant.Note = failure.what();
   }
   this->Leave(contestant);
+  ++contestant.Turns;
   contestant.Used += SecondsSince(start);
 }
 
 //------------------------------------------------------------------------------
 // In turns, so that what else the machine does falls on all alike. A slow entry is passed over while it
 // has had more time than the others that still need some.
-void BenchMeasure::Internals::TimeAll(double seconds, const std::string& title)
+void BenchMeasure::Internals::TimeAll(double seconds, RemainingTime& remaining)
 {
   const auto start = Clock::now();
-  RemainingTime remaining(title);
   for (bool left = true; left;)
   {
     left = false;
@@ -401,7 +425,7 @@ Json BenchMeasure::Internals::GetJSON(const Contestant& contestant) const
   {
     const Contestant& none = this->Contestants.front();
     json["time"] = { { "static", contestant.Static.GetJSON(none.Static) },
-      { "dynamic", contestant.Dynamic.GetJSON(none.Dynamic) },
+      { "dynamic", contestant.Dynamic.GetJSON(none.Dynamic) }, { "turns", contestant.Turns },
       { "build_milliseconds", Statistics::GetMedian(contestant.Dynamic.Added) -
                                 Statistics::GetMedian(contestant.Static.Added) } };
   }
@@ -425,18 +449,22 @@ BenchMeasure::BenchMeasure(const BenchPlan& plan, const BenchCase& one)
 BenchMeasure::~BenchMeasure() = default;
 
 //------------------------------------------------------------------------------
-void BenchMeasure::Run(double seconds, const std::string& title)
+void BenchMeasure::Run(double seconds, double later, const std::string& title)
 {
   Internals& my = *this->Internal;
   const auto start = Clock::now();
   if (my.Case.ReferenceSamples > 0)
   {
     my.DrawReference();
-    my.MeasureErrors(seconds - SecondsSince(start), title + ": errors");
+  }
+  RemainingTime remaining(title, later);
+  if (my.Truth.Visibility && !Interruption::IsAsked())
+  {
+    my.MeasureErrors(seconds - SecondsSince(start), remaining);
   }
   if (!Interruption::IsAsked())
   {
-    my.TimeAll(seconds - SecondsSince(start), title + ": times");
+    my.TimeAll(seconds - SecondsSince(start), remaining);
   }
   my.Stage.GetWindow().GetRenderer()->SetPass(nullptr);
 }
@@ -463,7 +491,7 @@ Json BenchMeasure::GetJSON() const
   {
     json["published"] = my.Case.Published;
   }
-  json["scene"] = my.Stage.GetScene().GetJSON();
+  json["scene"] = my.SceneJSON;
   json["scene"]["lights"] = my.Case.Lights;
   json["size"] = my.Case.Scene.Size;
   json["reference"] = nullptr;
@@ -499,7 +527,10 @@ std::vector<BenchPicture> BenchMeasure::GetPictures() const
       [&contestant](const Contestant* one)
       { return one->Entry->Technique == contestant.Entry->Technique; });
     const auto error = [](const Contestant& one)
-    { return one.Error["penumbra"]["rmse"].get<double>(); };
+    {
+      const Json& inPenumbra = one.Error["penumbra"]["rmse"];
+      return (inPenumbra.is_null() ? one.Error["rmse"] : inPenumbra).get<double>();
+    };
     if (known == best.end())
     {
       best.push_back(&contestant);

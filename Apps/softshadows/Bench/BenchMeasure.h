@@ -19,9 +19,10 @@ public:
 
   /**
    * Measure for about that many seconds, or until all medians have the frames that the plan wants, or
-   * an interruption. `title` stands before the progress.
+   * an interruption. `title` stands before the time that is left, of this and, `later` seconds, of
+   * others.
    */
-  void Run(double seconds, const std::string& title);
+  void Run(double seconds, double later, const std::string& title);
 
   /** Whether each entry that can be measured has all of its frames. */
   bool IsComplete() const;

@@ -45,6 +45,45 @@ std::vector<TechniqueSetting> GetSettings(const BenchCase& one, const BenchEntry
   }
   return settings;
 }
+
+//------------------------------------------------------------------------------
+// Failure for a setting of a case that none of the entries would use.
+void CheckCaseSettings(const BenchPlan& plan, const BenchCase& one)
+{
+  for (const TechniqueSetting& setting : one.Settings.Settings)
+  {
+    const bool used = std::any_of(plan.Entries.begin(), plan.Entries.end(),
+      [&setting](const BenchEntry& entry)
+      {
+        return entry.Kind != BenchEntry::Role::None &&
+               (setting.Technique.empty() || setting.Technique == entry.Technique) &&
+               HasParameter(entry.Technique, setting.Name);
+      });
+    // Techniques may have been left out; the name must be right all the same.
+    if (!used && (setting.Technique.empty() || !HasParameter(setting.Technique, setting.Name)))
+    {
+      throw Failure("case \"" + one.Id + "\": no technique has what it sets, " +
+                    (setting.Technique.empty() ? "" : setting.Technique + ":") + setting.Name +
+                    ".");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Failure where entries have published figures of a case, and the frame they are a ratio to has none.
+void CheckPublished(const BenchPlan& plan, const BenchCase& one)
+{
+  const auto names = [&one](const nlohmann::ordered_json& json, const char* what)
+  { return json.contains(what) && json[what].contains(one.Published); };
+  const bool told = std::any_of(plan.Entries.begin(), plan.Entries.end(),
+    [&names](const BenchEntry& entry) { return names(entry.Published, "milliseconds"); });
+  if (!one.Published.empty() && told && !names(plan.Published, "unshadowed_milliseconds"))
+  {
+    throw Failure("suite " + plan.Name +
+                  ": its \"published\" has no unshadowed_milliseconds of \"" + one.Published +
+                  "\".");
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -68,12 +107,23 @@ double BenchCase::GetValue(const ::Scene& built) const
   }
   for (const TechniqueSetting& setting : this->Settings.Settings)
   {
-    if (setting.Name == this->Axis)
+    char* end = nullptr;
+    const double value = std::strtod(setting.Value.c_str(), &end);
+    if (setting.Name == this->Axis && value > 0.0 && *end == '\0')
     {
-      return std::stod(setting.Value);
+      return value;
     }
   }
-  throw Failure("case \"" + this->Id + "\" sets nothing of its axis, " + this->Axis + ".");
+  throw Failure("case \"" + this->Id + "\" sets no number for its axis, " + this->Axis + ".");
+}
+
+//------------------------------------------------------------------------------
+void BenchCase::CheckAxis() const
+{
+  if (!this->Axis.empty())
+  {
+    this->GetValue({});
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -102,6 +152,11 @@ void Select(BenchPlan& plan, const std::vector<std::string>& techniques)
   std::vector<BenchEntry> selected = { plan.Entries.front() };
   for (const std::string& name : techniques)
   {
+    if (std::any_of(selected.begin(), selected.end(),
+          [&name](const BenchEntry& entry) { return entry.Technique == name; }))
+    {
+      continue; // named twice
+    }
     if (name != VTKPeer)
     {
       Techniques::Describe(name); // a failure where there is none
@@ -156,14 +211,20 @@ void Sweep(BenchPlan& plan, const std::vector<std::string>& sweeps)
       sweptNow[entry.Technique] = true;
       BenchEntry one = entry;
       one.Values = first ? BenchEntry::Setting() : entry.Values;
+      one.Label.clear(); // what is said of the plan's own settings
+      one.Published = nullptr;
       if (Sets(one, sweep->Name))
       {
         throw WrongUsage("--sweep: " + sweep->Name + " of " + entry.Technique + " is given twice.");
       }
       one.Values.emplace_back(sweep->Name, "");
-      for (const std::string& value : values)
+      for (auto value = values.begin(); value != values.end(); ++value)
       {
-        one.Values.back().second = value;
+        if (std::find(values.begin(), value, *value) != value)
+        {
+          throw WrongUsage("--sweep " + text + ": " + *value + " is given twice.");
+        }
+        one.Values.back().second = *value;
         entries.push_back(one);
       }
     }
@@ -228,6 +289,9 @@ void Check(const BenchPlan& plan)
       throw Failure("suite " + plan.Name + ": two cases are named \"" + one.Id + "\".");
     }
     one.Scene.Check();
+    one.CheckAxis();
+    CheckCaseSettings(plan, one);
+    CheckPublished(plan, one);
     for (const BenchEntry& entry : plan.Entries)
     {
       if (entry.Technique == VTKPeer)

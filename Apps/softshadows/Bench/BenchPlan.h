@@ -35,6 +35,8 @@ struct BenchCase
 
   /** Where the case lies on its axis. */
   double GetValue(const ::Scene& built) const;
+  /** Failure for a case that lies nowhere on it. */
+  void CheckAxis() const;
 };
 
 struct BenchEntry

@@ -317,6 +317,7 @@ Json GetPage(const Json& results, const std::vector<BenchPicture>& pictures)
     { "budget", WriteShort(FindNumber(results, { "budget_seconds" })) },
     { "source", FindText(results, { "published", "source" }) } };
   SetRows(page, "facts", GetFacts(results));
+  SetRows(page, "failures", FindList(results, { "failures" }));
   return page;
 }
 }

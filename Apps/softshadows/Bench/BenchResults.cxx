@@ -3,7 +3,7 @@
 #include "BenchAnalysis.h"
 #include "BenchLibraries.h"
 #include "BenchMeasure.h"
-#include "Outputs.h"
+#include "Errors.h"
 
 #include "vtkDelimitedTextWriter.h"
 #include "vtkNew.h"
@@ -88,6 +88,16 @@ std::string GetCell(const nlohmann::ordered_json& entry, const char* pointer)
   }
   return entry[place].is_string() ? entry[place].get<std::string>() : entry[place].dump();
 }
+
+// VTK's writer puts quotes around a cell, and leaves those within as they are.
+std::string Quote(std::string cell)
+{
+  for (std::size_t at = cell.find('"'); at != std::string::npos; at = cell.find('"', at + 2))
+  {
+    cell.insert(at, 1, '"');
+  }
+  return cell;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -98,9 +108,10 @@ BenchResults::BenchResults(const BenchPlan& plan, const std::string& command)
     { "suite", plan.Name }, { "title", plan.Title }, { "about", plan.About }, { "complete", true },
     { "date", GetDate() }, { "command", command }, { "machine", DescribeMachine() },
     { "gl", nullptr }, { "libraries", DescribeLibraries() },
-    { "seeds",
-      { { "reference", { 1, 2 } }, { "techniques", "none: patterns depend on pixels alone" } } },
+    { "seeds", { { "reference", { 1, 2 } },
+                 { "techniques", "ray-traced 0; others none, patterns depend on pixels alone" } } },
     { "budget_seconds", plan.GetBudget() }, { "frames_wanted", plan.Frames },
+    { "failures", nlohmann::ordered_json::array() }, { "published", plan.Published },
     { "cases", nlohmann::ordered_json::array() }, { "scaling", nlohmann::ordered_json::array() } };
 }
 
@@ -140,11 +151,11 @@ std::string BenchResults::GetCSV() const
   {
     for (const auto& entry : one["entries"])
     {
-      cases->InsertNextValue(one["id"].get<std::string>());
+      cases->InsertNextValue(Quote(one["id"].get<std::string>()));
       for (const Column& column : Columns)
       {
         vtkStringArray::SafeDownCast(table->GetColumnByName(column.Name))
-          ->InsertNextValue(GetCell(entry, column.Pointer));
+          ->InsertNextValue(Quote(GetCell(entry, column.Pointer)));
       }
     }
   }
@@ -157,11 +168,30 @@ std::string BenchResults::GetCSV() const
 }
 
 //------------------------------------------------------------------------------
-void BenchResults::Stage(Outputs& outputs, const std::string& folder)
+void BenchResults::AddFailure(const std::string& id, const std::string& reason)
 {
-  outputs.StageText(folder + "/results.json", this->Json.dump(1) + "\n");
-  outputs.StageText(folder + "/results.csv", this->GetCSV());
-  outputs.StageText(folder + "/report.html", MakeBenchReport(this->Json, this->Pictures));
+  this->Json["failures"].push_back({ { "case", id }, { "reason", reason } });
+  this->SetIncomplete();
+}
+
+//------------------------------------------------------------------------------
+void BenchResults::ThrowFailure() const
+{
+  if (!this->Json["failures"].empty())
+  {
+    const auto& first = this->Json["failures"].front();
+    throw Failure(first["case"].get<std::string>() + ": " + first["reason"].get<std::string>());
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::pair<std::string, std::string>> BenchResults::GetFiles() const
+{
+  // Names of files need not be UTF-8.
+  const std::string json =
+    this->Json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  return { { FileNames[0], json + "\n" }, { FileNames[1], this->GetCSV() },
+    { FileNames[2], MakeBenchReport(nlohmann::ordered_json::parse(json), this->Pictures) } };
 }
 
 //------------------------------------------------------------------------------

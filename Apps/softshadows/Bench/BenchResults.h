@@ -8,10 +8,10 @@
 #include "BenchReport.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 class BenchMeasure;
-class Outputs;
 
 class BenchResults
 {
@@ -22,11 +22,18 @@ public:
   /** Add a case that was measured, and what follows from it. */
   void Add(const BenchMeasure& measure);
 
+  /** Add what kept a case from being measured. */
+  void AddFailure(const std::string& id, const std::string& reason);
+
   /** Not all was measured. */
   void SetIncomplete() { this->Json["complete"] = false; }
 
-  /** The three files into a folder. */
-  void Stage(Outputs& outputs, const std::string& folder);
+  static constexpr const char* FileNames[] = { "results.json", "results.csv", "report.html" };
+  /** The files' names and texts. */
+  std::vector<std::pair<std::string, std::string>> GetFiles() const;
+
+  /** Throw the first failure, if there was one. */
+  void ThrowFailure() const;
 
   /** The last case as a table. */
   void PrintTable() const;

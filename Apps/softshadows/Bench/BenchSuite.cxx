@@ -157,6 +157,10 @@ std::vector<BenchEntry> ReadEntries(const Json& json)
       {
         multiplied.push_back(one);
         multiplied.back().Values.emplace_back(name, GetText(value));
+        if (!entry.Label.empty())
+        {
+          multiplied.back().Label += ", " + name + " " + GetText(value);
+        }
       }
     }
     entries = multiplied;

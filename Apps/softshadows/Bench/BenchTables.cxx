@@ -152,7 +152,7 @@ std::string Recommend(const Json& oneCase)
   const Json& underError = FindTypical(oneCase, "under_error");
   if (!underError.is_null())
   {
-    text = "Of what was measured here, " + GetName(oneCase, FindText(underError, { "entry" })) +
+    text = "Of this toolkit's techniques, " + GetName(oneCase, FindText(underError, { "entry" })) +
            " is the fastest whose error in the penumbra is at most " +
            WriteShort(FindNumber(underError, { "error" })) + ": it adds " +
            WriteMilliseconds(FindNumber(underError, { "milliseconds" })) +
@@ -221,7 +221,8 @@ Json GetEqualError(const Json& oneCase)
       { "milliseconds", WriteMilliseconds(FindNumber(row, { "milliseconds" })) },
       { "rays", WriteShort(FindNumber(row, { "rays" })) },
       { "rays_milliseconds", WriteMilliseconds(FindNumber(row, { "rays_milliseconds" })) },
-      { "factor", WriteRatio(FindNumber(row, { "factor" })) } });
+      { "factor", (Find(row, { "beyond" }) == true ? "at least " : "") +
+                    WriteRatio(FindNumber(row, { "factor" })) } });
   }
   return rows;
 }
@@ -310,15 +311,17 @@ Json GetExponents(const Json& scaling)
       for (const char* time : times)
       {
         Number exponent;
+        Number last;
         for (const Json& line : scaling)
         {
           if (Is(line, "axis", axis) && Is(line, "entry", entry) && Is(line, "time", time))
           {
             exponent = FindNumber(line, { "exponent" });
+            last = FindNumber(line, { "last_exponent" });
           }
         }
         row["cells"].push_back({ { "exponent", WritePercent(exponent) },
-          { "over", isBounded && exponent && *exponent > bound },
+          { "last", WritePercent(last) }, { "over", isBounded && exponent && *exponent > bound },
           { "first", std::string(time) == times[0] } });
       }
     }

@@ -129,13 +129,25 @@ vtkSmartPointer<vtkImageData> VTKShadows::GetVisibility(
     vtkSmartPointer<vtkImageData> picture = References::Copy(window.Grab());
     return picture;
   };
+  // Its light alone.
+  std::vector<double> intensities;
+  for (vtkLight* other : this->StandIns)
+  {
+    intensities.push_back(other->GetIntensity());
+    if (other != this->StandIns.front())
+    {
+      other->SetIntensity(0.0);
+    }
+  }
   const auto shadowed = draw(this->Pass);
   const auto unshadowed = draw(nullptr);
   vtkLight* light = this->StandIns.front();
-  const double intensity = light->GetIntensity();
   light->SetIntensity(0.0); // not switched off: without a light VTK draws everything bright
   const auto dark = draw(nullptr);
-  light->SetIntensity(intensity);
+  for (std::size_t i = 0; i < intensities.size(); ++i)
+  {
+    this->StandIns[i]->SetIntensity(intensities[i]);
+  }
   window.GetRenderer()->SetPass(this->Pass);
 
   auto visibility = References::Copy(right);
