@@ -46,7 +46,8 @@ def added(entry, kind):
 
 
 def penumbra(entry):
-    return entry["error"]["penumbra"]["rmse"]
+    """Its RMSE there, or None."""
+    return (entry.get("error") or {"penumbra": {"rmse": None}})["penumbra"]["rmse"]
 
 
 def name_of(entry):
@@ -72,7 +73,8 @@ def machine(suites):
                  f"OpenGL {gl['version']} of {gl['vendor']}, {gl['renderer']}; {libraries}")
         frames = [e["time"][kind]["frames"] for case in results["cases"] for e in measured(case)
                   for kind in TIMES if e["kind"] != "none"]
-        how = f"`{name}` on {results['date'][:10]}, {min(frames)} to {max(frames)} frames a median"
+        how = f"`{name}` on {results['date'][:10]}"
+        how += f", {min(frames)} to {max(frames)} frames a median" if frames else ""
         skipped = sum("skipped" in e for case in results["cases"] for e in case["entries"])
         how += f", {skipped} entries not measured" if skipped else ""
         if lines and lines[-1][0] == place:
@@ -113,10 +115,8 @@ def rays(results):
         row = [f"`{technique}`"]
         for case in results["cases"]:
             entries = {entry["id"]: entry for entry in case["entries"]}
-            least = min((penumbra(e) for e in measured(case) if e["technique"] == "ray-traced"),
-                        default=0)
             for kind in TIMES:
-                factors = [(one["factor"], one["error"] < least) for one in case["against_rays"]
+                factors = [(one["factor"], one["beyond"]) for one in case["against_rays"]
                            if (one["pixels"], one["time"]) == ("penumbra", kind)
                            and entries[one["entry"]]["technique"] == technique
                            and one.get("factor") is not None]
@@ -126,28 +126,37 @@ def rays(results):
     return table(rows, head)
 
 
-def ranks(results):
-    best = {}  # of each case, the least error of each technique
-    for case in results["cases"]:
-        errors = best.setdefault(case["id"], {})
-        for entry in measured(case):
-            if entry["kind"] == "technique" and entry["technique"] not in PEERS:
-                old = errors.get(entry["technique"], 2.0)
-                errors[entry["technique"]] = min(penumbra(entry), old)
+def loss(case, technique, kind):
+    """Of the technique's settings the best time over the fastest other's, and who that is; or None."""
+    points = [(added(e, kind), penumbra(e), e["technique"]) for e in measured(case)
+              if e["kind"] != "none" and penumbra(e) is not None and added(e, kind) > 0]
+    found = []
+    for time, error, name in points:
+        others = [point for point in points if point[2] != technique and point[1] <= error]
+        if name == technique:
+            found.append((time / min(others)[0], min(others)[2]) if others else (0.0, None))
+    return min(found, key=lambda one: one[0], default=None)
+
+
+def losses(results):
     rows = []
     for technique in techniques(results["cases"]):
-        places, ratio, worst = [], 1.0, ["–"] * 3
-        for case, errors in best.items():
-            if technique not in errors:
-                places.append("–")
-                continue
-            mine, winner = errors[technique], min(errors, key=errors.get)
-            places.append(str(1 + sum(error < mine for error in errors.values())))
-            if mine / errors[winner] > ratio:
-                ratio = mine / errors[winner]
-                worst = [case, number(mine), f"{number(errors[winner])}, `{winner}`"]
-        rows.append([f"`{technique}`", *places, *worst])
-    return table(rows, ["technique", *best, "worst in", "error", "the best there"])
+        row, winners = [f"`{technique}`"], []
+        for case in results["cases"]:
+            texts = []
+            for kind in TIMES:
+                found = loss(case, technique, kind)
+                if found is None:
+                    texts.append("–")
+                elif found[0] <= 1.0:
+                    texts.append("**alone**" if found[1] is None else f"**{number(found[0], 2)}**")
+                else:
+                    texts.append(number(found[0], 2))
+                    winners.append(found[1])
+            row.append(" / ".join(texts))
+        most = max(set(winners), key=winners.count) if winners else None
+        rows.append(row + [f"`{most}`" if most else "–"])
+    return table(rows, ["technique"] + [case["id"] for case in results["cases"]] + ["beaten by"])
 
 
 def thesis(results):
@@ -201,7 +210,7 @@ def scaling(results):
                                 (", ".join(over) if over else "none") + "."]
 
 
-PARTS = {"fronts": ("scenes", fronts), "rays": ("scenes", rays), "ranks": ("scenes", ranks),
+PARTS = {"fronts": ("scenes", fronts), "rays": ("scenes", rays), "losses": ("scenes", losses),
          "thesis": ("thesis", thesis), "scaling": ("scaling", scaling)}
 
 

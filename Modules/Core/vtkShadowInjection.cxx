@@ -7,6 +7,7 @@
 
 #include <cctype>
 #include <functional>
+#include <numeric>
 
 namespace
 {
@@ -53,7 +54,15 @@ bool ReplaceLightColors(
 bool vtkShadowInjection::Code::operator==(const Code& other) const
 {
   return this->Declarations == other.Declarations && this->LightsOfSlot == other.LightsOfSlot &&
-         this->Receivers == other.Receivers && this->Shading == other.Shading;
+         this->Receivers == other.Receivers && this->Shading == other.Shading &&
+         this->Unrolled == other.Unrolled;
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkShadowInjection::Code::GetNumberOfLights() const
+{
+  return std::accumulate(this->LightsOfSlot.begin(), this->LightsOfSlot.end(), std::size_t(0),
+    [](std::size_t sum, const std::vector<int>& parts) { return sum + parts.size(); });
 }
 
 //------------------------------------------------------------------------------
@@ -116,12 +125,24 @@ void vtkShadowInjection::Fill(std::string& source, const Code& code, bool catche
     if (code.Shading)
     {
       body += "  float shadowFootprint = 4.0 * (length(shadowDxVC) + length(shadowDyVC));\n";
-      body += "  SHADOW_VISIBILITY shadowFactors[SHADOW_LIGHTS];\n"
-              "  for (int shadowI = 0; shadowI < SHADOW_LIGHTS_HERE; ++shadowI)\n"
-              "  {\n"
-              "    shadowFactors[shadowI] = shadowFactor(shadowI, vertexVC.xyz, shadowNormalVC, "
-              "shadowFootprint);\n"
-              "  }\n";
+      body += "  SHADOW_VISIBILITY shadowFactors[SHADOW_LIGHTS];\n";
+      const auto call = [](const std::string& light)
+      {
+        return "  shadowFactors[" + light + "] = shadowFactor(" + light +
+               ", vertexVC.xyz, shadowNormalVC, shadowFootprint);\n";
+      };
+      if (code.Unrolled)
+      {
+        for (std::size_t light = 0; light < code.GetNumberOfLights(); ++light)
+        {
+          body += call(std::to_string(light));
+        }
+      }
+      else
+      {
+        body += "  for (int shadowI = 0; shadowI < shadowLightCount; ++shadowI)\n  {\n  " +
+                call("shadowI") + "  }\n";
+      }
     }
     for (std::size_t slot = 0; slot < code.LightsOfSlot.size(); ++slot)
     {

@@ -18,7 +18,10 @@ struct Code
   std::vector<std::vector<int>> LightsOfSlot; // N of lightColorN to the parts of a casting light
   bool Receivers = false;                     // the shader can write receivers
   bool Shading = false;                       // the shader can multiply lights
+  bool Unrolled = false;                      // each light's code is there for itself
 
+  /** All parts of all casting lights. */
+  std::size_t GetNumberOfLights() const;
   bool operator==(const Code& other) const;
 };
 

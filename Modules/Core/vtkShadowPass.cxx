@@ -251,7 +251,7 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
     this->WarnOnce("cannot be evaluated forward with these parameters; it is in screen space.");
   }
   my.ScreenSpace =
-    choice == "screen" || !canForward || (choice == "auto" && !this->PrefersForward());
+    choice == "screen" || !canForward || (choice == "auto" && !this->PrefersForward(frame));
   return true;
 }
 

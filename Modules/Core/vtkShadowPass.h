@@ -227,7 +227,7 @@ protected:
   /** Whether the light data is such that the GLSL can run in each prop's shader. */
   virtual bool CanEvaluateForward() { return !this->GetVisibilityGLSL().empty(); }
   /** Forward is better where this is true and the user has not said which. */
-  virtual bool PrefersForward() { return true; }
+  virtual bool PrefersForward(const vtkShadowFrame&) { return true; }
   /** Bind the light data's textures, before drawing; and unbind them. */
   virtual void ActivateLightData(vtkShadowFrame&) {}
   virtual void DeactivateLightData(vtkShadowFrame&) {}

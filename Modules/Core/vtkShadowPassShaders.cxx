@@ -152,6 +152,12 @@ void vtkShadowPass::UpdateInjection(bool writesReceivers)
         std::max<std::size_t>(code.LightsOfSlot.size(), my.Frame.Lights[i].Slot + 1));
       code.LightsOfSlot[my.Frame.Lights[i].Slot].push_back(static_cast<int>(i));
     }
+    // A light that is a constant costs half of one that is a loop's; but of long code a software
+    // rasterizer compiles each copy for a second.
+    constexpr std::size_t longest = 40000;
+    const std::size_t length =
+      forward ? this->GetVisibilityGLSL().size() : std::string(vtkShadowInjectFS).size();
+    code.Unrolled = length * my.Frame.Lights.size() <= longest;
   }
   my.WritesReceivers = writesReceivers;
   if (!(code == my.Injected))

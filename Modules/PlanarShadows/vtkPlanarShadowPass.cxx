@@ -120,6 +120,13 @@ std::string vtkPlanarShadowPass::GetVisibilityGLSL()
 }
 
 //------------------------------------------------------------------------------
+bool vtkPlanarShadowPass::PrefersForward(const vtkShadowFrame& frame)
+{
+  // As vtkFilteredShadowMapPass: the filter's code is long.
+  return this->GetTechnique() != "planar-fake" || frame.Lights.size() < 2;
+}
+
+//------------------------------------------------------------------------------
 void vtkPlanarShadowPass::ActivateLightData(vtkShadowFrame& frame)
 {
   this->Maps->Activate(frame);

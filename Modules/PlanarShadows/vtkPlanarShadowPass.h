@@ -62,6 +62,7 @@ protected:
 
   bool UpdateLightData(vtkShadowFrame& frame) override;
   std::string GetVisibilityGLSL() override;
+  bool PrefersForward(const vtkShadowFrame& frame) override;
   void ActivateLightData(vtkShadowFrame& frame) override;
   void DeactivateLightData(vtkShadowFrame& frame) override;
   void SetVisibilityParameters(vtkShaderProgram* program) override;

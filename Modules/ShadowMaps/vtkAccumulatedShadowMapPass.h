@@ -28,7 +28,7 @@ protected:
 
   bool UpdateLightData(vtkShadowFrame& frame) override;
   bool CanEvaluateForward() override;
-  bool PrefersForward() override { return false; }
+  bool PrefersForward(const vtkShadowFrame&) override { return false; }
   void FillVisibility(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer) override;
 
 private:

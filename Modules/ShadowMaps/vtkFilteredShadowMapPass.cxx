@@ -64,6 +64,14 @@ void vtkFilteredShadowMapPass::SetMapSettings(vtkShadowMapSettings& settings)
 }
 
 //------------------------------------------------------------------------------
+bool vtkFilteredShadowMapPass::PrefersForward(const vtkShadowFrame& frame)
+{
+  // Of several lights' filters the code stays a loop, whose lights are no constants: see
+  // vtkShadowInjection. In screen space it runs once a pixel for that.
+  return this->Hard || frame.Lights.size() < 2;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkFilteredShadowMapPass::GetVisibilityGLSL()
 {
   if (this->Hard)

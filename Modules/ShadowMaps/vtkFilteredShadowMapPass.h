@@ -48,7 +48,7 @@ protected:
   bool UpdateLightData(vtkShadowFrame& frame) override;
   void SetMapSettings(vtkShadowMapSettings& settings) override;
   std::string GetVisibilityGLSL() override;
-  bool PrefersForward() override { return true; }
+  bool PrefersForward(const vtkShadowFrame& frame) override;
   std::string GetDebugQuantity(const std::string& view) override;
   /** All look-ups in patterns, and those of the pyramid. */
   double GetMaximumCost() override;

@@ -456,16 +456,22 @@ std::string vtkShadowMaps::GetGLSL() const
                        (cut ? "#define SHADOW_CUT_VIEWS\n" : "");
   if (this->Few)
   {
+    // Choices, which fold where the light is a constant: an array of constants may become memory, and
+    // then nothing that depends on it unrolls.
     std::string first;
-    std::string count;
-    for (const auto& light : this->Lights)
+    std::string end;
+    for (std::size_t i = 0; i < this->Lights.size(); ++i)
     {
-      first += (first.empty() ? "" : ", ") + std::to_string(light.First);
-      count += (count.empty() ? "" : ", ") + std::to_string(light.Count);
+      const bool last = i + 1 == this->Lights.size();
+      const std::string condition = last ? "" : "(light) == " + std::to_string(i) + " ? ";
+      const std::string otherwise = last ? "" : " : ";
+      const auto& light = this->Lights[i];
+      first += condition + std::to_string(light.First) + otherwise;
+      end += condition + std::to_string(light.First + light.Count) + otherwise;
     }
     source += "#define SHADOW_FEW_VIEWS " + std::to_string(std::max(1, this->GetNumberOfViews())) +
-              "\n#define SHADOW_FIRST_VIEWS " + first + "\n#define SHADOW_VIEW_COUNTS " + count +
-              "\n";
+              "\n#define SHADOW_FIRST_VIEW(light) (" + first +
+              ")\n#define SHADOW_END_OF_VIEWS(light) (" + end + ")\n";
   }
   source += vtkShadowMapViewsFS;
   return this->Current.Neighbours ? source + vtkShadowDepthPyramid::GetGLSL() : source;

@@ -36,7 +36,7 @@ protected:
   ~vtkShadowVolumePass() override;
 
   bool UpdateLightData(vtkShadowFrame& frame) override;
-  bool PrefersForward() override { return false; }
+  bool PrefersForward(const vtkShadowFrame&) override { return false; }
   void FillVisibility(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer) override;
   double GetMaximumCost() override;
   void DrawDebugView(vtkShadowFrame& frame, const std::string& view) override;

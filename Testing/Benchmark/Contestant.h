@@ -4,17 +4,14 @@
 #ifndef Contestant_h
 #define Contestant_h
 
+#include "VTKShadowPass.h"
+
 #include "vtkAreaLight.h"
 #include "vtkCamera.h"
-#include "vtkCameraPass.h"
 #include "vtkLightCollection.h"
 #include "vtkNew.h"
-#include "vtkRenderPassCollection.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkSequencePass.h"
-#include "vtkShadowMapBakerPass.h"
-#include "vtkShadowMapPass.h"
 #include "vtkShadowPass.h"
 #include "vtkShadowScenes.h"
 #include "vtkShadowTechniques.h"
@@ -115,21 +112,6 @@ inline vtkSmartPointer<vtkShadowPass> MakePass(
     pass->SetParameter(parameter.first, parameter.second);
   }
   return pass;
-}
-
-/** VTK's own shadows. */
-inline vtkSmartPointer<vtkRenderPass> MakeVTKPass(int resolution)
-{
-  vtkNew<vtkShadowMapPass> shadows;
-  shadows->GetShadowMapBakerPass()->SetResolution(resolution);
-  vtkNew<vtkRenderPassCollection> passes;
-  passes->AddItem(shadows->GetShadowMapBakerPass());
-  passes->AddItem(shadows);
-  vtkNew<vtkSequencePass> sequence;
-  sequence->SetPasses(passes);
-  vtkNew<vtkCameraPass> camera;
-  camera->SetDelegatePass(sequence);
-  return camera.Get();
 }
 
 inline double Median(std::vector<double> values)

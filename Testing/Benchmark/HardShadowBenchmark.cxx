@@ -85,7 +85,7 @@ std::vector<std::array<double, 2>> Report(const std::vector<Contestant*>& timed)
 void Run(const std::string& scene, int size, int frames)
 {
   Contestant none("no shadows", scene, size, nullptr);
-  const auto vtkPass = MakeVTKPass(Resolution);
+  const auto vtkPass = MakeVTKShadowPass(Resolution);
   const auto ourPass = MakePass("map-hard", { { "resolution", std::to_string(Resolution) } });
   const auto referencePass = MakePass("ray-traced", { { "samples", "1" } });
   Contestant vtkOwn("vtkShadowMapPass", scene, size, vtkPass);

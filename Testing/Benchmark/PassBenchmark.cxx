@@ -79,7 +79,7 @@ void Measure(const std::vector<std::unique_ptr<Contestant>>& contestants, int fr
 
 void RunActors(int size, int frames)
 {
-  const auto vtkPass = MakeVTKPass(1024);
+  const auto vtkPass = MakeVTKShadowPass(1024);
   const auto ourPass = MakePass("map-hard", { { "resolution", "1024" } });
   std::vector<std::unique_ptr<Contestant>> all;
   all.push_back(std::make_unique<Contestant>("no shadows", BuildActors, size, nullptr));

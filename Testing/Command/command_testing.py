@@ -86,8 +86,9 @@ class CommandTest(unittest.TestCase):
         return name
 
     def run_command(self, *arguments, environment=None):
-        return subprocess.run([COMMAND, *arguments], cwd=self.folder, text=True, timeout=120,
-                              env=environment or ENVIRONMENT, capture_output=True)
+        return subprocess.run([COMMAND, *arguments], cwd=self.folder, text=True,
+                              errors="replace", timeout=120, env=environment or ENVIRONMENT,
+                              capture_output=True)
 
     def succeed(self, *arguments):
         result = self.run_command(*arguments)

@@ -101,8 +101,10 @@ class Suites(unittest.TestCase):
         folder = ROOT / "Documentation/results"
         schema = json.loads((folder / "results.schema.json").read_text())
         jsonschema.validators.validator_for(schema).check_schema(schema)
-        for path in folder.glob("*/results.json"):
-            jsonschema.validate(json.loads(path.read_text()), schema)
+        for name in ("scaling", "scenes", "thesis"):
+            results = json.loads((folder / name / "results.json").read_text())
+            jsonschema.validate(results, schema)
+            self.assertEqual(results["failures"], [])
 
 
 class Report(BenchTest):
@@ -364,9 +366,61 @@ class Ends(BenchTest):
                              "map-hard,volume-soft", "--sweep", "volume-soft:samples=16")
         self.validate(results)
         frames = [e["time"][kind]["frames"] for e in measured(results["cases"][0])
-                  for kind in TIMES if e.get("time") and e["time"][kind]]
-        self.assertTrue(not results["complete"] or min(frames) < 1000)
+                  for kind in TIMES if e.get("time")]
+        self.assertTrue(frames)  # not all of it went into errors
+        self.assertLess(min(frames), 1000)
+        self.assertFalse(results["complete"])
         self.assertEqual(results["budget_seconds"], 1)
+
+    def test_a_case_fails(self):
+        # The picture of the second is larger than any OpenGL draws.
+        suite = one_case([{"technique": "map-hard"}])
+        suite["cases"] = [{"scene": "blocker"},
+                          {"name": "huge", "scene": "blocker", "size": [16384, 1]},
+                          {"name": "dark", "scene": "blocker", "reference": 16,
+                           "light": {"position": [0, 0, -5]}}]
+        self.write("two.json", json.dumps(suite))
+        result = self.run_command("bench", "--suite", "two.json", "-o", "out")
+        results = self.read("out")
+        self.validate(results)
+        self.assertEqual(results["cases"][0]["id"], "blocker")
+        names = [failure["case"] for failure in results["failures"]]
+        self.assertEqual(result.returncode, 1 if names else 0)
+        self.assertEqual(len(results["cases"]) + len(names), 3)
+        for failure in results["failures"]:
+            self.assertIn(failure["reason"], result.stderr + failure["reason"])
+
+    def test_no_penumbra(self):
+        results = self.bench(*SCENE, "--lights", "0", "--techniques", "map-hard,ray-traced")
+        self.validate(results)
+        case = results["cases"][0]
+        self.assertEqual(case["reference"]["penumbra_pixels"], 0)
+        for entry in case["entries"]:
+            self.assertIsNone(entry["error"]["penumbra"]["rmse"])
+        self.assertEqual(case["fronts"]["penumbra"], {"static": [], "dynamic": []})
+        self.assertTrue(case["fronts"]["all"]["static"])
+        self.assertEqual({row["pixels"] for row in case["advice"]["under_error"]}, {"all"})
+
+    def test_names(self):
+        # Quotes, commas and bytes that are no text.
+        name = os.fsdecode(b'a "b", \xff.ply')
+        self.write(name, models.ply())
+        results = self.bench("bench", name, *SMALL, "--budget", "3", "--frames", "3",
+                             "--techniques", "map-hard")
+        with open(self.path("out/results.csv"), newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual({row["case"].split(",")[0] for row in rows}, {'a "b"'})
+        self.assertEqual(len(rows), len(results["cases"][0]["entries"]))
+
+    def test_several_lights_beside_vtk(self):
+        # Of the first light alone, so that others change nothing.
+        suite = one_case([{"peer": "vtkShadowMapPass"}], reference=64, size=[100, 100])
+        suite["cases"].append(dict(suite["cases"][0], name="three", lights=3))
+        self.write("lights.json", json.dumps(suite))
+        one, three = self.bench("bench", "--suite", "lights.json")["cases"]
+        # A third of the light in 8 bits: three times as coarse.
+        self.assertAlmostEqual(error_of(one["entries"][1], "all"),
+                               error_of(three["entries"][1], "all"), delta=0.01)
 
     def test_interrupt(self):
         process = subprocess.Popen(
@@ -376,12 +430,17 @@ class Ends(BenchTest):
             stderr=subprocess.DEVNULL)
         time.sleep(4)
         process.send_signal(signal.SIGINT)
+        # Once more, while the report is being made: by another signal, since the next one ends it.
+        time.sleep(0.3)
+        process.send_signal(signal.SIGTERM)
         self.assertEqual(process.wait(timeout=60), 130)
         self.assertEqual(os.listdir(self.folder), ["out"])
         self.assertEqual(sorted(os.listdir(self.path("out"))), FILES)
         results = self.read("out")
         self.assertFalse(results["complete"])
         self.validate(results)
+        self.assertTrue(any(entry.get("error") for case in results["cases"]
+                            for entry in case["entries"]))
         with open(self.path("out/results.csv")) as file:
             rows = list(csv.DictReader(file))
         self.assertEqual(len(rows), sum(len(case["entries"]) for case in results["cases"]))
@@ -404,6 +463,9 @@ class Ends(BenchTest):
                 (2, ["--lights", "-1"], [*scene, "--lights", "1,-1"]),
                 (2, ["--lights", "x"], [*scene, "--lights", "x"]),
                 (2, ["quick", "scene"], ["bench", "--suite", "quick"]),
+                (2, ["--lights", "twice"], [*scene, "--lights", "1,1"]),
+                (2, ["--sweep", "twice"], [*scene, "--sweep", "map-pcss:samples=8,8"]),
+                (2, ["scaling", "two"], ["bench", "--suite", "scaling,scaling"]),
                 (2, ["--size", "suite"], ["bench", "--suite", "scaling", "--size", "9x9"]),
                 (2, ["nothing to draw"], ["bench"])):
             self.expect_failure(code, words, *arguments, *out)
@@ -425,12 +487,20 @@ class Ends(BenchTest):
                 (["entries", "peer"], {"entries": [{"peer": "nonsense"}]}),
                 (["nonsense"], {"entries": [{"technique": "nonsense"}]}),
                 (["nonsense"], {"entries": [{"technique": "map-hard", "set": {"nonsense": 1}}]}),
+                (["nonsense"], {"cases": [{"scene": "blocker", "set": ["nonsense=1"]}]}),
                 (["nonsense"], {"cases": [{"scene": "nonsense"}]})):
             bad = {k: v for k, v in dict(good, **change).items() if v is not None}
             name = self.write("bad.json", json.dumps(bad))
             if words != ["nonsense"]:  # of the form, not of what the program knows
                 words = ["bad.json", *words]
             self.expect_failure(1, words, "bench", "--suite", name, "-o", "out")
+        self.write("axis.json", json.dumps(one_case(good["entries"], axis="resolution")))
+        self.expect_failure(1, ["axis", "resolution"], "bench", "--suite", "axis.json", "-o", "out")
+        told = [{"technique": "map-hard",
+                 "published": {"milliseconds": {"there": {"static": 3, "dynamic": 5}}}}]
+        self.write("told.json", json.dumps(one_case(told, published="there")))
+        self.expect_failure(
+            1, ["unshadowed_milliseconds", "there"], "bench", "--suite", "told.json", "-o", "out")
 
 
 if __name__ == "__main__":

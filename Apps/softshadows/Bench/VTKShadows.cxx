@@ -2,18 +2,14 @@
 
 #include "OffscreenWindow.h"
 #include "References.h"
+#include "VTKShadowPass.h"
 
 #include "vtkAreaLight.h"
-#include "vtkCameraPass.h"
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
-#include "vtkRenderPassCollection.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkSequencePass.h"
-#include "vtkShadowMapBakerPass.h"
-#include "vtkShadowMapPass.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -53,17 +49,8 @@ const unsigned char* GetPixels(vtkImageData* picture)
 
 //------------------------------------------------------------------------------
 VTKShadows::VTKShadows(int resolution)
+  : Pass(MakeVTKShadowPass(resolution))
 {
-  vtkNew<vtkShadowMapPass> shadows;
-  shadows->GetShadowMapBakerPass()->SetResolution(resolution);
-  vtkNew<vtkRenderPassCollection> passes;
-  passes->AddItem(shadows->GetShadowMapBakerPass());
-  passes->AddItem(shadows);
-  vtkNew<vtkSequencePass> sequence;
-  sequence->SetPasses(passes);
-  vtkNew<vtkCameraPass> camera;
-  camera->SetDelegatePass(sequence);
-  this->Pass = camera;
 }
 
 //------------------------------------------------------------------------------

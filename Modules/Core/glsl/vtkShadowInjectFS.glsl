@@ -56,13 +56,8 @@ bool shadowFindPixel(vec3 positionVC, float footprint, out ivec2 pixel)
 #if defined(SHADOW_BUFFER) || defined(SHADOW_FORWARD)
 uniform float shadowAttenuation[SHADOW_LIGHTS]; // 0 on a prop that does not receive
 
-// A loop over many lights must stay one: unrolled, software rasterizers compile it for a minute.
-#if SHADOW_LIGHTS > 2
+// Of a loop over the lights, where it stays one.
 uniform int shadowLightCount;
-#define SHADOW_LIGHTS_HERE shadowLightCount
-#else
-#define SHADOW_LIGHTS_HERE SHADOW_LIGHTS
-#endif
 
 // The factor of a light's colour.
 SHADOW_VISIBILITY shadowFactor(int light, vec3 positionVC, vec3 normalVC, float footprint)

@@ -202,8 +202,7 @@ float shadowFilter(int view, shadowKernel kernel);
 SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionVC, vec3 normalVC)
 {
   float visibility = 1.0;
-  int last = shadowFirstView[light] + shadowViewCount[light];
-  for (int view = shadowFirstView[light]; view < last; ++view)
+  for (int view = SHADOW_FIRST_VIEW(light); view < SHADOW_END_OF_VIEWS(light); ++view)
   {
     shadowKernel kernel;
     if (shadowFindKernel(light, view, positionVC, normalVC, kernel))

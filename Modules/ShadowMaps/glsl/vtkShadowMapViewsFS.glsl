@@ -6,13 +6,12 @@
 // looks from in their fourth components. Five more follow for look-ups around a point: see
 // vtkShadowMapKernelFS.glsl.
 //
-// SHADOW_FEW_VIEWS is defined to their number where they are few: what loops over them unrolls.
+// SHADOW_FEW_VIEWS is defined to their number where they are few: what loops over them unrolls where the
+// light is a constant. A light's views are those from SHADOW_FIRST_VIEW to before SHADOW_END_OF_VIEWS.
 
 uniform sampler2DArrayShadow shadowMaps;
 #ifdef SHADOW_FEW_VIEWS
 uniform vec4 shadowViews[SHADOW_VIEW_VECTORS * SHADOW_FEW_VIEWS];
-const int shadowFirstView[SHADOW_LIGHTS] = int[SHADOW_LIGHTS](SHADOW_FIRST_VIEWS);
-const int shadowViewCount[SHADOW_LIGHTS] = int[SHADOW_LIGHTS](SHADOW_VIEW_COUNTS);
 const int shadowFirstLayer = 0;
 #define SHADOW_VIEW(view, vector) shadowViews[SHADOW_VIEW_VECTORS * (view) + (vector)]
 #else
@@ -20,6 +19,8 @@ uniform samplerBuffer shadowViews;
 uniform int shadowFirstView[SHADOW_LIGHTS];
 uniform int shadowViewCount[SHADOW_LIGHTS];
 uniform int shadowFirstLayer; // the view that layer 0 holds
+#define SHADOW_FIRST_VIEW(light) shadowFirstView[light]
+#define SHADOW_END_OF_VIEWS(light) (shadowFirstView[light] + shadowViewCount[light])
 #define SHADOW_VIEW(view, vector) texelFetch(shadowViews, SHADOW_VIEW_VECTORS * (view) + (vector))
 #endif
 

@@ -3,8 +3,7 @@
 SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionVC, vec3 normalVC)
 {
   SHADOW_VISIBILITY visibility = SHADOW_VISIBILITY(1.0);
-  int last = shadowFirstView[light] + shadowViewCount[light];
-  for (int view = shadowFirstView[light]; view < last; ++view)
+  for (int view = SHADOW_FIRST_VIEW(light); view < SHADOW_END_OF_VIEWS(light); ++view)
   {
     // Behind the far plane, all casters are in front.
     vec3 receiverLC = shadowProject(view, shadowMoveReceiver(view, positionVC, normalVC));
