@@ -140,8 +140,9 @@ void SceneOptions::Declare(CLI::App& command)
     ->type_name("AXIS")
     ->group("Scene");
   this->Light.Declare(command);
-  Values::AddSize(
-    command, "--size", this->Size, "Width and height of the picture (default 900x700)")
+  Values::AddSize(command, "--size", this->Size,
+    "Width and height of the picture (default " + std::to_string(this->Size[0]) + "x" +
+      std::to_string(this->Size[1]) + ")")
     ->group("Picture");
   Values::AddTriple(command, "--background", this->Background, "R,G,B", "Background, each 0 to 1")
     ->group("Picture");

@@ -49,6 +49,23 @@ class Visibility(TestCase):
         self.assertGreater(np.mean((expected > 0.02) & (expected < 0.98)), 0.1)
         self.assertGreater(np.mean(expected == 0), 0.005)
 
+    def test_seeds_of_rays(self):
+        scene = Scene("blocker")
+        shown, expected = self.closed_form(scene, scene.light.GetWidth() / 2,
+                                           scene.light.GetHeight() / 2)
+        shadows = create("ray-traced", samples=16)
+        seen = []
+        for seed in (0, 1, 0):
+            shadows.SetParameter("seed", str(seed))
+            scene.render(shadows)
+            seen.append(visibility(shadows)[shown])
+        np.testing.assert_array_equal(seen[0], seen[2])
+        # Their errors are of one size and independent: two of them differ by sqrt(2) of it.
+        errors = [np.sqrt(np.mean((values - expected) ** 2)) for values in seen]
+        difference = np.sqrt(np.mean((seen[0] - seen[1]) ** 2))
+        self.assertAlmostEqual(errors[0] / errors[1], 1.0, delta=0.1)
+        self.assertAlmostEqual(difference / errors[0], np.sqrt(2), delta=0.15)
+
     def test_against_closed_form(self):
         for name in technique_names():
             with self.subTest(technique=name):

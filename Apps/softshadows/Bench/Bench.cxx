@@ -129,28 +129,32 @@ void CheckSuiteOptions(const CLI::App& command)
 std::vector<BenchPlan> MakePlans(const BenchOptions& options, const CLI::App& command)
 {
   std::vector<BenchPlan> plans;
-  if (options.Suites.empty())
+  const bool all = options.Suites == "all";
+  const bool own = !options.Scene.Models.empty() || !options.Scene.Builtin.empty();
+  for (const std::string& name : options.Suites.empty() ? std::vector<std::string>{ "quick" }
+                                 : all                  ? BenchPlans::GetSuites()
+                                                        : Values::Split(options.Suites))
   {
-    options.Scene.Check();
-    plans.push_back(BenchPlans::Load("quick"));
-    UseScene(plans.back(), options, command);
-  }
-  else
-  {
-    CheckSuiteOptions(command);
-    const bool all = options.Suites == "all";
-    for (const std::string& name : all ? BenchPlans::GetSuites() : Values::Split(options.Suites))
+    BenchPlan plan = BenchPlans::Load(name);
+    const bool needsScene = plan.Cases.empty();
+    if (needsScene && all)
     {
-      plans.push_back(BenchPlans::Load(name));
-      if (plans.back().Cases.empty() && all)
-      {
-        plans.pop_back();
-      }
-      else if (plans.back().Cases.empty())
-      {
-        throw WrongUsage("suite " + name + " has no scene: give a model or --scene instead.");
-      }
+      continue; // there is none to measure it with
     }
+    if (needsScene && !own && !options.Suites.empty())
+    {
+      throw WrongUsage("suite " + name + " has no scene of its own: give a model or --scene, too.");
+    }
+    if (needsScene)
+    {
+      options.Scene.Check();
+      UseScene(plan, options, command);
+    }
+    else
+    {
+      CheckSuiteOptions(command);
+    }
+    plans.push_back(plan);
   }
   std::set<std::string> names;
   for (BenchPlan& plan : plans)
@@ -192,7 +196,8 @@ void Measure(
 
 //------------------------------------------------------------------------------
 // A suite is handed over when it is done, or as far as it came.
-void Run(const BenchPlan& plan, const std::string& folder, const std::string& commandLine)
+// What kept a case from being measured, or "".
+std::string Run(const BenchPlan& plan, const std::string& folder, const std::string& commandLine)
 {
   const Interruption interruption;
   BenchResults results(plan, commandLine);
@@ -226,7 +231,7 @@ void Run(const BenchPlan& plan, const std::string& folder, const std::string& co
     }
     outputs.Commit();
   }
-  results.ThrowFailure();
+  return results.GetFailure();
 }
 
 //------------------------------------------------------------------------------
@@ -265,15 +270,21 @@ void Bench(const CLI::App& command, const BenchOptions& options, const std::stri
     folders.push_back(several ? options.Output + "/" + plan.Name : options.Output);
   }
   PlanOutputs(options.Output, folders);
+  std::string failure;
   for (std::size_t i = 0; i < plans.size(); ++i)
   {
-    Run(plans[i], folders[i], commandLine);
+    const std::string reason = Run(plans[i], folders[i], commandLine);
+    failure = failure.empty() ? reason : failure;
     if (Interruption::IsAsked())
     {
       throw Interrupted(options.Output.empty()
                           ? "interrupted."
                           : "interrupted; what was measured is in \"" + options.Output + "\".");
     }
+  }
+  if (!failure.empty())
+  {
+    throw Failure(failure);
   }
 }
 }
@@ -285,6 +296,7 @@ void DeclareBench(CLI::App& app, const std::string& commandLine)
     "Measure what each technique at each setting costs on models or a scene, and how wrong\n"
     "it is: a table, and results.json, results.csv and report.html in the output folder");
   auto options = std::make_shared<BenchOptions>();
+  options->Scene.Size = { 500, 500 }; // that of the suite quick
   options->Scene.Declare(*command);
   std::string suites;
   for (const std::string& name : BenchPlans::GetSuites())
@@ -308,8 +320,8 @@ void DeclareBench(CLI::App& app, const std::string& commandLine)
     ->group("Technique");
   command
     ->add_option("--sweep", options->Sweeps,
-      "Values of a parameter to measure with instead of the default's; may be given again.\n"
-      "TECHNIQUE:NAME=... for that technique alone")
+      "Values of a parameter to measure with instead of the suite's settings of the technique;\n"
+      "may be given again. TECHNIQUE:NAME=... for that technique alone")
     ->type_name("NAME=V,W,...")
     ->allow_extra_args(false)
     ->group("Technique");

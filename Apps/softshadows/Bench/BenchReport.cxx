@@ -103,7 +103,7 @@ std::string DescribeScene(const Json& oneCase)
   const Number lights = FindNumber(scene, { "lights" });
   add("", lights && *lights > 1.0 ? WriteCount(lights) : "", " lights");
   std::string size;
-  for (const char* key : { "radius", "width", "height", "angle" })
+  for (const char* key : { "radius", "width", "height", "angle_degrees" })
   {
     const std::string value = WriteShort(FindNumber(light, { key }));
     size += value.empty() ? "" : std::string(" ") + key + " " + value;

@@ -3,7 +3,6 @@
 #include "BenchAnalysis.h"
 #include "BenchLibraries.h"
 #include "BenchMeasure.h"
-#include "Errors.h"
 
 #include "vtkDelimitedTextWriter.h"
 #include "vtkNew.h"
@@ -98,6 +97,42 @@ std::string Quote(std::string cell)
   }
   return cell;
 }
+
+//------------------------------------------------------------------------------
+std::string WriteCSV(const nlohmann::ordered_json& results)
+{
+  vtkNew<vtkTable> table;
+  const auto addColumn = [&table](const char* name)
+  {
+    vtkNew<vtkStringArray> column;
+    column->SetName(name);
+    table->AddColumn(column);
+    return column.Get();
+  };
+  vtkStringArray* cases = addColumn("case");
+  for (const Column& column : Columns)
+  {
+    addColumn(column.Name);
+  }
+  for (const auto& one : results["cases"])
+  {
+    for (const auto& entry : one["entries"])
+    {
+      cases->InsertNextValue(Quote(one["id"].get<std::string>()));
+      for (const Column& column : Columns)
+      {
+        vtkStringArray::SafeDownCast(table->GetColumnByName(column.Name))
+          ->InsertNextValue(Quote(GetCell(entry, column.Pointer)));
+      }
+    }
+  }
+  vtkNew<vtkDelimitedTextWriter> writer;
+  writer->SetInputData(table);
+  writer->SetWriteToOutputString(true);
+  writer->Write();
+  const std::unique_ptr<char[]> text(writer->RegisterAndGetOutputString());
+  return text.get();
+}
 }
 
 //------------------------------------------------------------------------------
@@ -132,42 +167,6 @@ void BenchResults::Add(const BenchMeasure& measure)
 }
 
 //------------------------------------------------------------------------------
-std::string BenchResults::GetCSV() const
-{
-  vtkNew<vtkTable> table;
-  const auto addColumn = [&table](const char* name)
-  {
-    vtkNew<vtkStringArray> column;
-    column->SetName(name);
-    table->AddColumn(column);
-    return column.Get();
-  };
-  vtkStringArray* cases = addColumn("case");
-  for (const Column& column : Columns)
-  {
-    addColumn(column.Name);
-  }
-  for (const auto& one : this->Json["cases"])
-  {
-    for (const auto& entry : one["entries"])
-    {
-      cases->InsertNextValue(Quote(one["id"].get<std::string>()));
-      for (const Column& column : Columns)
-      {
-        vtkStringArray::SafeDownCast(table->GetColumnByName(column.Name))
-          ->InsertNextValue(Quote(GetCell(entry, column.Pointer)));
-      }
-    }
-  }
-  vtkNew<vtkDelimitedTextWriter> writer;
-  writer->SetInputData(table);
-  writer->SetWriteToOutputString(true);
-  writer->Write();
-  const std::unique_ptr<char[]> text(writer->RegisterAndGetOutputString());
-  return text.get();
-}
-
-//------------------------------------------------------------------------------
 void BenchResults::AddFailure(const std::string& id, const std::string& reason)
 {
   this->Json["failures"].push_back({ { "case", id }, { "reason", reason } });
@@ -175,23 +174,23 @@ void BenchResults::AddFailure(const std::string& id, const std::string& reason)
 }
 
 //------------------------------------------------------------------------------
-void BenchResults::ThrowFailure() const
+std::string BenchResults::GetFailure() const
 {
-  if (!this->Json["failures"].empty())
-  {
-    const auto& first = this->Json["failures"].front();
-    throw Failure(first["case"].get<std::string>() + ": " + first["reason"].get<std::string>());
-  }
+  const auto& failures = this->Json["failures"];
+  return failures.empty() ? ""
+                          : failures.front()["case"].get<std::string>() + ": " +
+                              failures.front()["reason"].get<std::string>();
 }
 
 //------------------------------------------------------------------------------
 std::vector<std::pair<std::string, std::string>> BenchResults::GetFiles() const
 {
   // Names of files need not be UTF-8.
-  const std::string json =
+  const std::string text =
     this->Json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-  return { { FileNames[0], json + "\n" }, { FileNames[1], this->GetCSV() },
-    { FileNames[2], MakeBenchReport(nlohmann::ordered_json::parse(json), this->Pictures) } };
+  const auto results = nlohmann::ordered_json::parse(text);
+  return { { FileNames[0], text + "\n" }, { FileNames[1], WriteCSV(results) },
+    { FileNames[2], MakeBenchReport(results, this->Pictures) } };
 }
 
 //------------------------------------------------------------------------------

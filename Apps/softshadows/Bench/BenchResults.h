@@ -32,15 +32,13 @@ public:
   /** The files' names and texts. */
   std::vector<std::pair<std::string, std::string>> GetFiles() const;
 
-  /** Throw the first failure, if there was one. */
-  void ThrowFailure() const;
+  /** What kept a case from being measured, the first, or "". */
+  std::string GetFailure() const;
 
   /** The last case as a table. */
   void PrintTable() const;
 
 private:
-  std::string GetCSV() const;
-
   const BenchPlan& Plan;
   nlohmann::ordered_json Json;
   std::vector<BenchPicture> Pictures;
