@@ -1,6 +1,7 @@
 #include "Compare.h"
 
 #include "Errors.h"
+#include "Values.h"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -11,21 +12,6 @@
 
 namespace
 {
-//------------------------------------------------------------------------------
-// Two pictures need none of what a scene needs; an option that would do nothing is refused.
-void CheckPictureOptions(const CLI::App& command)
-{
-  static const char* const used[] = { "MODEL", "--output", "--json" };
-  for (const CLI::Option* option : command.get_options())
-  {
-    if (option->count() > 0 && std::none_of(std::begin(used), std::end(used),
-                                 [&](const char* name) { return option->check_name(name); }))
-    {
-      throw WrongUsage(option->get_name() + " has no meaning for two pictures.");
-    }
-  }
-}
-
 //------------------------------------------------------------------------------
 void Compare(const CLI::App& command, const CompareOptions& options)
 {
@@ -40,7 +26,8 @@ void Compare(const CLI::App& command, const CompareOptions& options)
   {
     throw WrongUsage("pictures are compared two at a time: a picture, and the one it should be.");
   }
-  CheckPictureOptions(command);
+  // They need none of what a scene needs.
+  Values::RefuseOthers(command, { "MODEL", "--output", "--json" }, "two pictures.");
   ComparePictures(options);
 }
 }

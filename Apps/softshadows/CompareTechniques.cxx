@@ -84,8 +84,7 @@ void Measure(Row& row, OffscreenWindow& window, vtkAreaLight* light, const Refer
 {
   window.GetRenderer()->SetPass(row.Pass);
   window.Render();
-  const Image visibility = row.Pass ? References::Copy(row.Pass->GetVisibility(light))
-                                    : References::MakeUnshadowed(reference.Visibility);
+  const Image visibility = References::GetVisibility(row.Pass, light, reference.Visibility);
   row.Frame = window.Grab();
   row.Visibility->SetImage(visibility);
   row.Visibility->SetReference(reference.Visibility);

@@ -51,7 +51,7 @@ Reference Draw(OffscreenWindow& window, vtkShadowPass* pass, vtkAreaLight* light
     const ExpectedProgress progress("reference, " + samples + " rays a pixel", expected);
     reference.Milliseconds = window.Render();
   }
-  reference.Visibility = Copy(pass->GetVisibility(light));
+  reference.Visibility = GetVisibility(pass, light, nullptr);
   reference.Frame = window.Grab();
   return reference;
 }
@@ -66,8 +66,13 @@ vtkSmartPointer<vtkImageData> Copy(vtkImageData* image)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> MakeUnshadowed(vtkImageData* like)
+vtkSmartPointer<vtkImageData> GetVisibility(
+  vtkShadowPass* pass, vtkAreaLight* light, vtkImageData* like)
 {
+  if (pass)
+  {
+    return Copy(pass->GetVisibility(light));
+  }
   auto all = Copy(like);
   vtkFloatArray::SafeDownCast(all->GetPointData()->GetArray("Visibility"))->FillValue(1.0f);
   return all;

@@ -33,8 +33,9 @@ Reference Draw(OffscreenWindow& window, vtkShadowPass* pass, vtkAreaLight* light
 /** An image of one's own; Failure if VTK has reported an error on the way to it. */
 vtkSmartPointer<vtkImageData> Copy(vtkImageData* image);
 
-/** Visibility where nothing casts a shadow, else like the image. */
-vtkSmartPointer<vtkImageData> MakeUnshadowed(vtkImageData* like);
+/** Visibility as the pass that is set has it, else like the image; of no pass 1 everywhere. */
+vtkSmartPointer<vtkImageData> GetVisibility(
+  vtkShadowPass* pass, vtkAreaLight* light, vtkImageData* like);
 }
 
 #endif

@@ -1,26 +1,41 @@
 #include "Values.h"
 
+#include "Errors.h"
+
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <sstream>
 
-namespace
+namespace Values
 {
+//------------------------------------------------------------------------------
 bool ParseNumber(const std::string& text, double& value)
 {
   char* end = nullptr;
   value = std::strtod(text.c_str(), &end);
   return !text.empty() && *end == '\0' && std::isfinite(value);
 }
+
+//------------------------------------------------------------------------------
+void RefuseOthers(
+  const CLI::App& command, const std::vector<std::string>& used, const std::string& what)
+{
+  for (const CLI::Option* option : command.get_options())
+  {
+    if (option->count() > 0 && std::none_of(used.begin(), used.end(),
+                                 [&](const std::string& name) { return option->check_name(name); }))
+    {
+      throw WrongUsage(option->get_name() + " has no meaning for " + what);
+    }
+  }
 }
 
-namespace Values
-{
 //------------------------------------------------------------------------------
 std::vector<std::string> Split(const std::string& text, char separator)
 {

@@ -24,6 +24,13 @@ CLI::Option* AddTriple(CLI::App& command, const std::string& name,
 CLI::Option* AddSize(CLI::App& command, const std::string& name, std::array<int, 2>& value,
   const std::string& meaning);
 
+/** A finite number that is the whole text; else false. */
+bool ParseNumber(const std::string& text, double& value);
+
+/** WrongUsage for an option that is given and would do nothing: "OPTION has no meaning for WHAT". */
+void RefuseOthers(
+  const CLI::App& command, const std::vector<std::string>& used, const std::string& what);
+
 /** The words between commas. */
 std::vector<std::string> Split(const std::string& text, char separator = ',');
 }

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 //------------------------------------------------------------------------------
 std::string vtkShadowPass::Internals::GetPreamble() const
@@ -141,11 +142,12 @@ void vtkShadowPass::UpdateInjection(bool writesReceivers)
   if (code.Receivers || code.Shading)
   {
     const bool forward = code.Shading && !my.ScreenSpace;
+    const std::string visibility = forward ? this->GetVisibilityGLSL() : "";
     code.Declarations = my.GetPreamble() + (code.Receivers ? "#define SHADOW_RECEIVERS\n" : "") +
                         "#define SHADOW_INJECTED\n" +
                         (code.Shading && my.ScreenSpace ? "#define SHADOW_BUFFER\n" : "") +
                         (forward ? "#define SHADOW_FORWARD\n" : "") + vtkShadowLightsFS +
-                        (forward ? this->GetVisibilityGLSL() : "") + vtkShadowInjectFS;
+                        visibility + vtkShadowInjectFS;
     for (std::size_t i = 0; i < my.Frame.Lights.size(); ++i)
     {
       code.LightsOfSlot.resize(
@@ -155,8 +157,7 @@ void vtkShadowPass::UpdateInjection(bool writesReceivers)
     // A light that is a constant costs half of one that is a loop's; but of long code a software
     // rasterizer compiles each copy for a second.
     constexpr std::size_t longest = 40000;
-    const std::size_t length =
-      forward ? this->GetVisibilityGLSL().size() : std::string(vtkShadowInjectFS).size();
+    const std::size_t length = forward ? visibility.size() : std::strlen(vtkShadowInjectFS);
     code.Unrolled = length * my.Frame.Lights.size() <= longest;
   }
   my.WritesReceivers = writesReceivers;

@@ -14,9 +14,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <new>
@@ -44,9 +41,8 @@ std::vector<double> ParseLights(const std::string& text)
   std::vector<double> scales;
   for (const std::string& word : Values::Split(text))
   {
-    char* end = nullptr;
-    const double scale = std::strtod(word.c_str(), &end);
-    if (word.empty() || *end != '\0' || !std::isfinite(scale) || scale < 0.0)
+    double scale = 0.0;
+    if (!Values::ParseNumber(word, scale) || scale < 0.0)
     {
       throw WrongUsage("--lights: \"" + word + "\" is no size: a number, 0 or more.");
     }
@@ -109,23 +105,6 @@ void Override(BenchPlan& plan, const BenchOptions& options)
 }
 
 //------------------------------------------------------------------------------
-// A suite has its own scenes; an option that would do nothing is refused.
-void CheckSuiteOptions(const CLI::App& command)
-{
-  static const char* const used[] = { "--suite", "--techniques", "--sweep", "--budget", "--frames",
-    "--reference-samples", "--output" };
-  for (const CLI::Option* option : command.get_options())
-  {
-    if (option->count() > 0 && std::none_of(std::begin(used), std::end(used),
-                                 [&](const char* name) { return option->check_name(name); }))
-    {
-      throw WrongUsage(
-        option->get_name() + " has no meaning for a suite, which has its own scenes.");
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
 std::vector<BenchPlan> MakePlans(const BenchOptions& options, const CLI::App& command)
 {
   std::vector<BenchPlan> plans;
@@ -152,7 +131,10 @@ std::vector<BenchPlan> MakePlans(const BenchOptions& options, const CLI::App& co
     }
     else
     {
-      CheckSuiteOptions(command);
+      Values::RefuseOthers(command,
+        { "--suite", "--techniques", "--sweep", "--budget", "--frames", "--reference-samples",
+          "--output" },
+        "a suite, which has its own scenes.");
     }
     plans.push_back(plan);
   }
@@ -195,8 +177,8 @@ void Measure(
 }
 
 //------------------------------------------------------------------------------
-// A suite is handed over when it is done, or as far as it came.
-// What kept a case from being measured, or "".
+// A suite is handed over when it is done, or as far as it came. Gives what kept a case from being
+// measured, or "".
 std::string Run(const BenchPlan& plan, const std::string& folder, const std::string& commandLine)
 {
   const Interruption interruption;

@@ -200,7 +200,7 @@ void Advise(const Json& one, const std::string& pixels, const std::string& timeK
 
 //------------------------------------------------------------------------------
 Json GetPublished(
-  const Json& published, const Json& unshadowed, const std::string& key, bool withErrors)
+  const Json& published, const Json& ofSuite, const std::string& key, bool withErrors)
 {
   Json json;
   if (withErrors && published.contains("correctness"))
@@ -209,7 +209,7 @@ Json GetPublished(
   }
   if (published.contains("milliseconds") && published["milliseconds"].contains(key))
   {
-    const double base = unshadowed.at(key);
+    const double base = ofSuite.at("unshadowed_milliseconds").at(key);
     const Json& times = published["milliseconds"][key];
     json["static_ratio"] = times["static"].get<double>() / base;
     json["dynamic_ratio"] = times["dynamic"].get<double>() / base;
@@ -272,8 +272,8 @@ void AddToCase(Json& one, const BenchPlan& plan)
     const Json& published = plan.Entries[i].Published;
     if (!published.is_null())
     {
-      const Json figures = GetPublished(published, plan.Published["unshadowed_milliseconds"],
-        one["published"], !one["reference"].is_null());
+      const Json figures =
+        GetPublished(published, plan.Published, one["published"], !one["reference"].is_null());
       if (!figures.is_null())
       {
         one["entries"][i]["published"] = figures;

@@ -58,44 +58,41 @@ bool CanShow(const BenchFigures::Number& x, const BenchFigures::Number& y)
 }
 
 //------------------------------------------------------------------------------
-// Markers at all settings; a line through those that no other of the same technique beats in both, since
-// settings of several parameters have no order.
-void AddFronts(
-  const std::map<CurveStyles::Key, Points>& found, const CurveStyles& styles, CurveChart& chart)
+// Those of the points, by x, that none before beats in y.
+Points GetFront(const Points& sorted)
 {
-  for (const auto& [key, points] : found)
+  Points front;
+  for (const auto& point : sorted)
   {
-    Points sorted = points;
-    std::sort(sorted.begin(), sorted.end());
-    ChartCurve front = { styles.Get(key), {} };
-    front.Style.Marker = vtkPlotPoints::NONE;
-    for (const auto& point : sorted)
+    if (front.empty() || point[1] < front.back()[1])
     {
-      if (front.Points.empty() || point[1] < front.Points.back()[1])
-      {
-        front.Points.push_back(point);
-      }
+      front.push_back(point);
     }
-    if (front.Points.size() > 1)
-    {
-      chart.Content.Curves.push_back(front);
-    }
-    ChartCurve settings = { styles.Get(key), sorted };
-    settings.Style.Line = vtkPen::NO_PEN;
-    chart.Content.Curves.push_back(settings);
-    chart.Shown.push_back(key);
   }
+  return front;
 }
 
 //------------------------------------------------------------------------------
-void AddCurves(
-  const std::map<CurveStyles::Key, Points>& found, const CurveStyles& styles, CurveChart& chart)
+// Markers at all points, and a line through all of them; or, since settings of several parameters have no
+// order, through those of a technique that none of its others beats in both.
+void AddCurves(const std::map<CurveStyles::Key, Points>& found, const CurveStyles& styles,
+  bool throughFront, CurveChart& chart)
 {
   for (const auto& [key, points] : found)
   {
-    Points sorted = points;
-    std::sort(sorted.begin(), sorted.end());
-    chart.Content.Curves.push_back({ styles.Get(key), sorted });
+    ChartCurve curve = { styles.Get(key), points };
+    std::sort(curve.Points.begin(), curve.Points.end());
+    if (throughFront)
+    {
+      ChartCurve line = { curve.Style, GetFront(curve.Points) };
+      line.Style.Marker = vtkPlotPoints::NONE;
+      if (line.Points.size() > 1)
+      {
+        chart.Content.Curves.push_back(line);
+      }
+      curve.Style.Line = vtkPen::NO_PEN;
+    }
+    chart.Content.Curves.push_back(curve);
     chart.Shown.push_back(key);
   }
 }
@@ -211,7 +208,7 @@ CurveChart MakeErrorChart(const Json& oneCase, const std::string& pixels, const 
     chart.Content.Curves.push_back(front); // below the others
   }
   chart.Content.Floor = std::max(0.0, BenchFigures::GetNoise(oneCase, pixels).value_or(0.0));
-  AddFronts(found, styles, chart);
+  AddCurves(found, styles, true, chart);
   return chart;
 }
 
@@ -255,7 +252,7 @@ CurveChart MakeScalingChart(
       chart.LeftOut.push_back(BenchFigures::FindText(line, { "entry" }));
     }
   }
-  AddCurves(found, styles, chart);
+  AddCurves(found, styles, false, chart);
   return chart;
 }
 }

@@ -237,11 +237,10 @@ void BenchMeasure::Internals::MeasureError(Contestant& contestant)
     window.Render();
     contestant.Frame = References::Copy(window.Grab());
     this->ReadBytes(contestant);
-    this->Compare(contestant,
-      contestant.VTK ? contestant.VTK->GetVisibility(window, this->Truth.Visibility)
-      : contestant.Pass
-        ? References::Copy(contestant.Pass->GetVisibility(this->Stage.GetLights().front()))
-        : References::MakeUnshadowed(this->Truth.Visibility));
+    vtkImageData* right = this->Truth.Visibility;
+    this->Compare(contestant, contestant.VTK ? contestant.VTK->GetVisibility(window, right)
+                                             : References::GetVisibility(contestant.Pass,
+                                                 this->Stage.GetLights().front(), right));
   }
   catch (const Failure& failure)
   {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <map>
 #include <numeric>
 #include <set>
 
@@ -107,9 +106,8 @@ double BenchCase::GetValue(const ::Scene& built) const
   }
   for (const TechniqueSetting& setting : this->Settings.Settings)
   {
-    char* end = nullptr;
-    const double value = std::strtod(setting.Value.c_str(), &end);
-    if (setting.Name == this->Axis && value > 0.0 && *end == '\0')
+    double value = 0.0;
+    if (setting.Name == this->Axis && Values::ParseNumber(setting.Value, value) && value > 0.0)
     {
       return value;
     }
@@ -179,7 +177,7 @@ void Select(BenchPlan& plan, const std::vector<std::string>& techniques)
 void Sweep(BenchPlan& plan, const std::vector<std::string>& sweeps)
 {
   // The first sweep of a technique takes the place of what the plan had, the next ones multiply it.
-  std::map<std::string, bool> swept;
+  std::set<std::string> swept;
   for (const std::string& text : sweeps)
   {
     const auto sweep = TechniqueSetting::Parse(text);
@@ -191,7 +189,7 @@ void Sweep(BenchPlan& plan, const std::vector<std::string>& sweeps)
     }
     std::vector<BenchEntry> entries;
     bool used = false;
-    std::map<std::string, bool> sweptNow;
+    std::set<std::string> sweptNow;
     for (const BenchEntry& entry : plan.Entries)
     {
       const bool meant = entry.Kind != BenchEntry::Role::None &&
@@ -203,12 +201,11 @@ void Sweep(BenchPlan& plan, const std::vector<std::string>& sweeps)
         continue;
       }
       used = true;
-      const bool first = !swept[entry.Technique];
-      if (first && sweptNow[entry.Technique])
+      const bool first = swept.count(entry.Technique) == 0;
+      if (!sweptNow.insert(entry.Technique).second && first)
       {
         continue; // its first entry stands for all
       }
-      sweptNow[entry.Technique] = true;
       BenchEntry one = entry;
       one.Values = first ? BenchEntry::Setting() : entry.Values;
       one.Label.clear(); // what is said of the plan's own settings
@@ -232,10 +229,7 @@ void Sweep(BenchPlan& plan, const std::vector<std::string>& sweeps)
     {
       throw Failure("--sweep " + text + ": none of the techniques used here has that parameter.");
     }
-    for (const auto& technique : sweptNow)
-    {
-      swept[technique.first] = true;
-    }
+    swept.insert(sweptNow.begin(), sweptNow.end());
     plan.Entries = entries;
   }
 }
