@@ -4,49 +4,67 @@
 #include "vtkShadowCatchFS.h"
 #include "vtkShadowEvaluateFS.h"
 #include "vtkShadowLightsFS.h"
+#include "vtkShadowShaderText.h"
 
+#include <algorithm>
 #include <cctype>
-#include <functional>
+#include <map>
 #include <numeric>
+#include <set>
 
 namespace
 {
-bool IsWord(char c)
+using Code = vtkShadowInjection::Code;
+using Text = vtkShadowShaderText;
+
+const std::string LightColor = "lightColor";
+
+/** N of lightColorN; -1 of any other name. */
+int GetSlot(const std::string& name)
 {
-  return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+  const std::string number = name.substr(std::min(name.size(), LightColor.size()));
+  const bool is = name.compare(0, LightColor.size(), LightColor) == 0 && !number.empty() &&
+    number.size() < 4 && number.find_first_not_of("0123456789") == std::string::npos;
+  return is ? std::stoi(number) : -1;
 }
 
-/**
- * Replace every lightColorN outside its declaration by what a function makes of N. True if there is
- * any.
- */
-bool ReplaceLightColors(
-  std::string& source, const std::function<std::string(std::size_t)>& getReplacement)
+/** A text's insertions, in the order in which they were asked for where they share a place. */
+class Insertions
 {
-  static const std::string token = "lightColor";
-  static const std::string declaration = "uniform vec3 ";
-  bool lit = false;
-  std::string result;
-  std::size_t from = 0;
-  for (std::size_t at = source.find(token); at != std::string::npos; at = source.find(token, from))
+public:
+  void Add(std::size_t place, const std::string& text) { this->At[place] += text; }
+  void Apply(std::string& source) const
   {
-    std::size_t end = at + token.size();
-    while (end < source.size() && std::isdigit(static_cast<unsigned char>(source[end])))
+    for (auto at = this->At.rbegin(); at != this->At.rend(); ++at)
     {
-      ++end;
+      source.insert(at->first, "\n" + at->second);
     }
-    const std::string number = source.substr(at + token.size(), end - at - token.size());
-    const bool declared = at >= declaration.size() && source.compare(at - declaration.size(),
-                                                        declaration.size(), declaration) == 0;
-    const bool whole = !number.empty() && (at == 0 || !IsWord(source[at - 1])) &&
-                       (end == source.size() || !IsWord(source[end]));
-    result += source.substr(from, at - from);
-    lit = lit || (whole && !declared);
-    result += whole && !declared ? getReplacement(std::stoul(number)) : token + number;
-    from = end;
   }
-  source = result + source.substr(from);
-  return lit;
+
+private:
+  std::map<std::size_t, std::string> At;
+};
+
+bool HasWord(const std::string& text, const std::string& word)
+{
+  const auto isWord = [](char c)
+  { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  for (std::size_t at = text.find(word); at != Text::None; at = text.find(word, at + 1))
+  {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || !isWord(text[at - 1])) && (end == text.size() || !isWord(text[end])))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/** Where a mark's line ends, None where it is not. */
+std::size_t FindMark(const std::string& source, const std::string& mark)
+{
+  const std::size_t at = source.find(mark);
+  return at == Text::None ? at : at + mark.size();
 }
 }
 
@@ -76,64 +94,194 @@ void vtkShadowInjection::Mark(std::string& source)
     source, "//VTK::Light::Impl", "//SHADOW::Impl\n  //VTK::Light::Impl\n  //SHADOW::End", false);
 }
 
-//------------------------------------------------------------------------------
-void vtkShadowInjection::Fill(std::string& source, const Code& code, bool catches)
+namespace
 {
-  if (code.Declarations.empty() && !catches)
+/** One shader that is being filled. */
+class Filling
+{
+public:
+  Filling(const std::string& source, const Code& code, bool catches, const std::string& later)
+    : Source(source)
+    , Content(code)
+    , Catches(catches)
+    , Known(source)
+    , Later(later)
   {
-    return;
   }
-  const bool positioned = source.find("vec4 vertexVC =") != std::string::npos;
-  const auto hasShadow = [&](std::size_t slot)
+
+  /** Insert all that can be; what cannot is told. */
+  std::string Fill(std::string& result)
   {
-    return positioned && code.Shading && slot < code.LightsOfSlot.size() &&
-           !code.LightsOfSlot[slot].empty();
-  };
-  const bool lit = ReplaceLightColors(source,
-    [&](std::size_t slot)
+    if (this->Known.GetMainBegin() == Text::None)
     {
-      const std::string number = std::to_string(slot);
-      const std::string color = "lightColor" + number;
-      const std::string factor = "shadowFactor" + number;
-      if (catches)
-      {
-        return "shadowBrightness(" + color + ", vec3(" + (hasShadow(slot) ? factor : "1.0") + "))";
-      }
-      return hasShadow(slot) ? "(" + color + " * " + factor + ")" : color;
-    });
-  std::string declarations;
-  std::string body;
-  if (positioned && lit && !code.Declarations.empty())
-  {
-    declarations = code.Declarations;
-    vtkShaderProgram::Substitute(source, "//SHADOW::UniformFlow",
-      "vec3 shadowDxVC = dFdx(vertexVC.xyz);\n  vec3 shadowDyVC = dFdy(vertexVC.xyz);");
-    // Imposters move the position after its derivatives are taken; their own normal is exact.
-    const bool imposter = source.find("gl_FragDepth =") != std::string::npos;
-    body = imposter ? "vec3 shadowNormalVC = normalVCVSOutput;\n"
-                    : "vec3 shadowNormalVC = shadowGeometricNormal(shadowDxVC, shadowDyVC);\n";
-    if (code.Receivers)
-    {
-      body += "  if (shadowWritesReceivers)\n"
-              "  {\n"
-              "    gl_FragData[0] = vec4(vertexVC.xyz, !shadowReceives ? 0.0 :\n"
-              "      (shadowCasts ? 1.0 : -1.0) * shadowPackNormal("
-              "shadowNormalVC == vec3(0.0) ? normalVCVSOutput : shadowNormalVC));\n"
-              "    return;\n"
-              "  }\n";
+      return "its main() cannot be made out";
     }
-    if (code.Shading)
+    this->FindPlaces();
+    if (this->IsTaken())
+    {
+      this->Positioned = this->Lit = false;
+    }
+    this->AddColors();
+    this->AddVisibility();
+    this->AddReceivers();
+    this->AddCatching();
+    const std::size_t mark = FindMark(this->Source, "//SHADOW::Dec");
+    this->Inserted.Add(
+      this->Known.IsGlobal(mark) ? mark : this->Known.GetMainHead(), this->Declarations + "\n");
+    result = this->Source;
+    this->Inserted.Apply(result);
+    return this->Problem;
+  }
+
+private:
+  void FindPlaces()
+  {
+    // Names that stand for a light's colour: in what is there, and what the user will put there later.
+    const auto isLight = [](const std::string& name) { return GetSlot(name) >= 0; };
+    const std::set<std::string> names = this->Known.GetNamesFor(isLight);
+    const std::size_t use = this->Known.GetFirst(names);
+    const auto& later = this->Later.GetNames();
+    const bool usedLater = std::any_of(later.begin(), later.end(),
+      [&](const std::string& name) { return isLight(name) || names.count(name) != 0; });
+    this->Lit = use != Text::None || usedLater;
+
+    std::size_t known = Text::None;
+    for (const char* position : { "vertexVC", "vertexVCVSOutput" })
+    {
+      if (known == Text::None)
+      {
+        known = this->Known.GetDeclaration("vec4", position);
+        this->Position = position;
+      }
+    }
+    const std::size_t mark = FindMark(this->Source, "//SHADOW::Impl");
+    this->Marked = this->Known.IsInMain(mark);
+    this->Positioned = this->Lit && !this->Content.Declarations.empty() && known != Text::None;
+    this->Place = this->Marked ? mark : this->Known.GetPlaceAfter(this->Known.GetMainBegin());
+    if (!this->Positioned)
+    {
+      if (this->Lit && known == Text::None)
+      {
+        this->Problem = "it has no position, \"vec4 vertexVC\"";
+      }
+      return;
+    }
+    this->Flow = FindMark(this->Source, "//SHADOW::UniformFlow");
+    this->Flow = this->Known.IsInMain(this->Flow) ? std::max(this->Flow, known) : known;
+    // Imposters move the position after its derivatives are taken; their own normal is exact.
+    this->Imposter = this->Known.GetLast("gl_FragDepth") != Text::None &&
+      (this->Known.IsAssigned(this->Position, known) ||
+        this->Known.GetNames().count("ZCalcR") != 0);
+    std::size_t earliest = this->Flow;
+    if (this->Imposter)
+    {
+      const std::size_t normal = this->Known.GetDeclaration("vec3", "normalVCVSOutput");
+      this->Imposter = normal != Text::None;
+      earliest = std::max({ earliest, this->Imposter ? normal : 0,
+        this->Known.GetPlaceAfter(this->Known.GetLast("gl_FragDepth")) });
+    }
+    if (this->Marked && mark >= earliest && use > mark && !usedLater)
+    {
+      return; // as VTK's shaders are
+    }
+    this->Place = usedLater ? Text::None : this->Known.GetPlaceBefore(use);
+    if (this->Place == Text::None || this->Place < earliest)
+    {
+      this->Place = this->Known.GetPlaceAfter(earliest);
+      if (use < this->Place)
+      {
+        this->Problem = "it uses a light's colour before its position and normal are known";
+      }
+    }
+    this->Marked = this->Marked && mark >= this->Place;
+  }
+
+  /** The shader has a name of its own that the code needs, or a macro that would change it. */
+  bool IsTaken()
+  {
+    const std::string locals =
+      " shadowDxVC shadowDyVC shadowNormalVC shadowFootprint shadowFactors shadowI ";
+    for (const Text* text : { &this->Known, &this->Later })
+    {
+      for (const std::string& name : text->GetNames())
+      {
+        const bool ours = name.compare(0, 6, "shadow") == 0 || name.compare(0, 7, "SHADOW_") == 0;
+        const bool isNumbered = ours && std::isdigit(static_cast<unsigned char>(name.back())) != 0;
+        const bool isMacro = text->IsMacro(name) && GetSlot(name) < 0;
+        if (isNumbered ||
+          ((ours || isMacro) &&
+            (HasWord(this->Content.Declarations, name) || HasWord(locals, name) ||
+              (this->Catches && HasWord(vtkShadowCatchFS, name)))))
+        {
+          this->Problem = "its name \"" + name + "\" is one that the shadows need";
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  bool HasShadow(std::size_t slot) const
+  {
+    return this->Positioned && this->Content.Shading && slot < this->Content.LightsOfSlot.size() &&
+      !this->Content.LightsOfSlot[slot].empty();
+  }
+
+  /**
+   * A variable takes a light's place from its declaration on: in functions, macros and whatever the
+   * user replaces after us, all of which stay as they are written.
+   */
+  void AddColors()
+  {
+    for (const std::string& name : this->Known.GetNames())
+    {
+      const int slot = GetSlot(name);
+      if (!this->Lit || slot < 0 || !(this->Catches || this->HasShadow(slot)))
+      {
+        continue;
+      }
+      const std::size_t place = this->Known.GetUniform("vec3", name);
+      if (place == Text::None || this->Known.IsMacro(name) || this->Later.IsMacro(name))
+      {
+        this->Problem = "\"" + name + "\" is not the uniform that VTK declares";
+        continue;
+      }
+      const std::string number = std::to_string(slot);
+      const std::string color = "shadowColor" + number;
+      this->Inserted.Add(
+        place, "vec3 " + color + " = " + name + ";\n#define " + name + " " + color + "\n");
+      const std::string factor = this->HasShadow(slot) ? "shadowFactor" + number : "1.0";
+      this->Colors += "  " + color +
+        (this->Catches ? " = shadowBrightness(" + color + ", vec3(" + factor + "));\n"
+                       : " *= " + factor + ";\n");
+    }
+  }
+
+  void AddVisibility()
+  {
+    if (!this->Positioned)
+    {
+      this->Inserted.Add(this->Place, this->Colors);
+      return;
+    }
+    this->Declarations = this->Content.Declarations;
+    this->Inserted.Add(this->Flow, "  vec3 shadowDxVC = dFdx(" + this->Position +
+        ".xyz);\n  vec3 shadowDyVC = dFdy(" + this->Position + ".xyz);\n");
+    std::string body = this->Imposter
+      ? "  vec3 shadowNormalVC = normalVCVSOutput;\n"
+      : "  vec3 shadowNormalVC = shadowGeometricNormal(shadowDxVC, shadowDyVC);\n";
+    if (this->Content.Shading)
     {
       body += "  float shadowFootprint = 4.0 * (length(shadowDxVC) + length(shadowDyVC));\n";
       body += "  SHADOW_VISIBILITY shadowFactors[SHADOW_LIGHTS];\n";
-      const auto call = [](const std::string& light)
+      const auto call = [this](const std::string& light)
       {
-        return "  shadowFactors[" + light + "] = shadowFactor(" + light +
-               ", vertexVC.xyz, shadowNormalVC, shadowFootprint);\n";
+        return "  shadowFactors[" + light + "] = shadowFactor(" + light + ", " + this->Position +
+          ".xyz, shadowNormalVC, shadowFootprint);\n";
       };
-      if (code.Unrolled)
+      if (this->Content.Unrolled)
       {
-        for (std::size_t light = 0; light < code.GetNumberOfLights(); ++light)
+        for (std::size_t light = 0; light < this->Content.GetNumberOfLights(); ++light)
         {
           body += call(std::to_string(light));
         }
@@ -141,16 +289,16 @@ void vtkShadowInjection::Fill(std::string& source, const Code& code, bool catche
       else
       {
         body += "  for (int shadowI = 0; shadowI < shadowLightCount; ++shadowI)\n  {\n  " +
-                call("shadowI") + "  }\n";
+          call("shadowI") + "  }\n";
       }
     }
-    for (std::size_t slot = 0; slot < code.LightsOfSlot.size(); ++slot)
+    for (std::size_t slot = 0; slot < this->Content.LightsOfSlot.size(); ++slot)
     {
-      if (hasShadow(slot))
+      if (this->HasShadow(slot))
       {
         // Of its parts: 1 minus what each takes.
         std::string factor;
-        for (const int light : code.LightsOfSlot[slot])
+        for (const int light : this->Content.LightsOfSlot[slot])
         {
           factor +=
             (factor.empty() ? "" : " - 1.0 + ") + ("shadowFactors[" + std::to_string(light)) + "]";
@@ -158,23 +306,99 @@ void vtkShadowInjection::Fill(std::string& source, const Code& code, bool catche
         body += "  SHADOW_VISIBILITY shadowFactor" + std::to_string(slot) + " = " + factor + ";\n";
       }
     }
+    this->Inserted.Add(this->Place, body + this->Colors);
   }
-  else if (code.Receivers)
+
+  void AddReceivers()
   {
-    // Unlit: it hides what lies behind it, and receives nothing.
-    declarations = code.Shading ? "uniform bool shadowWritesReceivers;"
-                                : "const bool shadowWritesReceivers = true;";
-    body = "if (shadowWritesReceivers) { gl_FragData[0] = vec4(0.0); return; }\n";
+    if (!this->Content.Receivers)
+    {
+      return;
+    }
+    if (!this->Positioned)
+    {
+      // Unlit: it hides what lies behind it, and receives nothing.
+      this->Declarations = this->Content.Shading ? "uniform bool shadowWritesReceivers;"
+                                                 : "const bool shadowWritesReceivers = true;";
+    }
+    // After all that discards. What comes before may return, where VTK's lighting is gone.
+    const bool returns = this->Known.GetLast("return") != Text::None;
+    const std::size_t place = this->Marked ? FindMark(this->Source, "//SHADOW::Impl")
+      : returns                            ? this->Place
+                                           : this->Known.GetMainEnd();
+    const bool hasNormal =
+      this->Known.GetDeclaration("vec3", "normalVCVSOutput", place) != Text::None;
+    this->Inserted.Add(place, "  if (shadowWritesReceivers)\n"
+                              "  {\n"
+                              "    gl_FragData[0] = " +
+        (this->Positioned ? "vec4(" + this->Position +
+              ".xyz, !shadowReceives ? 0.0 :\n"
+              "      (shadowCasts ? 1.0 : -1.0) * shadowPackNormal(shadowNormalVC == vec3(0.0) ? " +
+              (hasNormal ? "normalVCVSOutput" : "vec3(0.0, 0.0, 1.0)") + " : shadowNormalVC))"
+                          : "vec4(0.0)") +
+        ";\n"
+        "    return;\n"
+        "  }\n");
   }
-  if (catches)
+
+  void AddCatching()
   {
-    declarations += vtkShadowCatchFS;
-    body += "  ambientColor = vec3(0.0); diffuseColor = vec3(1.0); specularColor = vec3(0.0);\n";
-    vtkShaderProgram::Substitute(source, "//SHADOW::End",
-      lit ? "gl_FragData[0] = shadowCatch(gl_FragData[0]);" : "gl_FragData[0] = vec4(0.0);");
+    if (!this->Catches)
+    {
+      return;
+    }
+    this->Declarations += vtkShadowCatchFS;
+    const std::size_t place =
+      this->Marked ? FindMark(this->Source, "//SHADOW::Impl") : this->Place;
+    for (const char* color : { "ambientColor", "diffuseColor", "specularColor" })
+    {
+      if (this->Known.GetDeclaration("vec3", color, place) != Text::None)
+      {
+        this->Inserted.Add(place, std::string("  ") + color +
+            (color == std::string("diffuseColor") ? " = vec3(1.0);\n" : " = vec3(0.0);\n"));
+      }
+    }
+    const std::size_t end = FindMark(this->Source, "//SHADOW::End");
+    this->Inserted.Add(this->Known.IsInMain(end) ? end : this->Known.GetMainEnd(),
+      this->Lit ? "  gl_FragData[0] = shadowCatch(gl_FragData[0]);\n"
+                : "  gl_FragData[0] = vec4(0.0);\n");
   }
-  vtkShaderProgram::Substitute(source, "//SHADOW::Dec", declarations);
-  vtkShaderProgram::Substitute(source, "//SHADOW::Impl", body);
+
+  const std::string& Source;
+  const Code& Content;
+  const bool Catches;
+  const Text Known; // what the source holds
+  const Text Later; // what the user's replacements put there afterwards
+  Insertions Inserted;
+  std::string Declarations;
+  std::string Colors; // what multiplies them
+  std::string Problem;
+  std::string Position;
+  bool Lit = false;        // main uses a light's colour
+  bool Positioned = false; // and all that visibility needs is there
+  bool Imposter = false;
+  bool Marked = false; // VTK's lighting comes where it should
+  std::size_t Flow = Text::None;
+  std::size_t Place = Text::None;
+};
+}
+
+//------------------------------------------------------------------------------
+std::string vtkShadowInjection::Fill(
+  std::string& source, const Code& code, bool catches, const std::string& later)
+{
+  if (code.Declarations.empty() && !catches)
+  {
+    return "";
+  }
+  return Filling(source, code, catches, later).Fill(source);
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowInjection::CanFill(const std::string& source)
+{
+  return source.find("//VTK::Output::Dec") != std::string::npos &&
+    Text(source).GetMainBegin() != Text::None;
 }
 
 //------------------------------------------------------------------------------

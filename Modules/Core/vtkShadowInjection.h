@@ -26,11 +26,18 @@ struct Code
 };
 
 /**
- * Put the code at the marks, and multiply the lights' colours, once the mapper is done.
- * A catcher's lights are turned to their brightness, with and without shadow, in red and green, and its
- * colour at the end to black of an alpha that tells their ratio.
+ * Put the code at the marks, and multiply the lights' colours, once the mapper is done. Where the
+ * user has taken VTK's lighting out, or uses a light's colour before it, the code goes before the
+ * first use. `later` is what the user's replacements put there afterwards.
+ * A catcher's lights are turned to their brightness, with and without shadow, in red and green, and
+ * its colour at the end to black of an alpha that tells their ratio.
+ * Gives what keeps a light's colour, or all, from being shadowed, as a clause; empty if nothing.
  */
-void Fill(std::string& fragmentShader, const Code& code, bool catches);
+std::string Fill(
+  std::string& fragmentShader, const Code& code, bool catches, const std::string& later = "");
+
+/** Whether a fragment shader that is all the user's can tell what it receives. */
+bool CanFill(const std::string& fragmentShader);
 
 /** The fragment shader that evaluates the technique's GLSL in screen space. */
 std::string GetEvaluation(const std::string& preamble, const std::string& visibilityGLSL);

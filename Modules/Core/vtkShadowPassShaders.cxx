@@ -6,6 +6,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLCamera.h"
 #include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLShaderProperty.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkShadowInjectFS.h"
@@ -21,6 +22,27 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <sstream>
+
+namespace
+{
+/** What the user's replacements put into a fragment shader after the mapper's own. */
+std::string GetLaterReplacements(vtkActor* actor)
+{
+  std::string later;
+  if (auto* property = vtkOpenGLShaderProperty::SafeDownCast(actor->GetShaderProperty()))
+  {
+    for (const auto& replacement : property->GetAllShaderReplacements())
+    {
+      if (replacement.first.ShaderType == vtkShader::Fragment && !replacement.first.ReplaceFirst)
+      {
+        later += replacement.second.Replacement + "\n";
+      }
+    }
+  }
+  return later;
+}
+}
 
 //------------------------------------------------------------------------------
 std::string vtkShadowPass::Internals::GetPreamble() const
@@ -114,9 +136,12 @@ void vtkShadowPass::SetLightParameters(vtkShaderProgram* program)
 
 //------------------------------------------------------------------------------
 bool vtkShadowPass::PreReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
 {
-  vtkShadowInjection::Mark(fragmentShader);
+  if (vtkActor::SafeDownCast(prop))
+  {
+    vtkShadowInjection::Mark(fragmentShader);
+  }
   return true;
 }
 
@@ -124,8 +149,20 @@ bool vtkShadowPass::PreReplaceShaderValues(
 bool vtkShadowPass::PostReplaceShaderValues(
   std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
 {
-  vtkShadowInjection::Fill(
-    fragmentShader, this->Internal->Injected, vtkShadowPass::GetShadowCatcher(prop));
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (!actor)
+  {
+    return true;
+  }
+  const std::string problem = vtkShadowInjection::Fill(fragmentShader, this->Internal->Injected,
+    vtkShadowPass::GetShadowCatcher(prop), GetLaterReplacements(actor));
+  if (!problem.empty())
+  {
+    std::ostringstream text;
+    text << "the fragment shader of a " << prop->GetClassName() << " (" << prop
+         << ") is drawn without shadows, or without some of them: " << problem << ".";
+    this->WarnOnce(text.str());
+  }
   return true;
 }
 

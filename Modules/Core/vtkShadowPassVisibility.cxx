@@ -129,7 +129,9 @@ Role GetRole(vtkProp* prop)
     [&role](vtkProp* part, vtkMatrix4x4*)
     {
       auto* actor = vtkActor::SafeDownCast(part);
-      if (!actor || !actor->GetMapper() || actor->GetShaderProperty()->HasFragmentShaderCode())
+      if (!actor || !actor->GetMapper() ||
+        (actor->GetShaderProperty()->HasFragmentShaderCode() &&
+          !vtkShadowInjection::CanFill(actor->GetShaderProperty()->GetFragmentShaderCode())))
       {
         return; // such as vtkCubeAxesActor, which draws by actors of its own
       }
