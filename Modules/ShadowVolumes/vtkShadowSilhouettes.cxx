@@ -257,7 +257,7 @@ std::size_t vtkShadowSilhouettes::FindMostNested(const vtkShadowCasters& casters
 
 //------------------------------------------------------------------------------
 void vtkShadowSilhouettes::AddCap(const vtkShadowCaster& caster,
-  const vtkShadowAdjacency& adjacency, const glm::dvec4& place,
+  const vtkShadowAdjacency& adjacency, const glm::dvec4& place, vtkShadowCap cap,
   std::vector<std::uint32_t>& triangles)
 {
   const LocalPlace local = ToMesh(caster, place);
@@ -266,13 +266,18 @@ void vtkShadowSilhouettes::AddCap(const vtkShadowCaster& caster,
   {
     const std::uint8_t flags = adjacency.Flags[f];
     const bool facing = glm::dot(glm::dvec4(adjacency.Planes[f]), local.Light) > 0.0;
-    if (flags & vtkShadowAdjacency::Left || (facing && flags & vtkShadowAdjacency::Closed))
+    const bool closed = (flags & vtkShadowAdjacency::Closed) != 0;
+    const bool other = closed && (facing ? cap == vtkShadowCap::Away : cap == vtkShadowCap::Facing);
+    if (flags & vtkShadowAdjacency::Left || other)
     {
       continue;
     }
     const bool turn = (!facing != ((flags & vtkShadowAdjacency::Reversed) != 0)) != local.Mirrored;
-    triangles.push_back(indices[3 * f]);
-    triangles.push_back(indices[3 * f + (turn ? 2 : 1)]);
-    triangles.push_back(indices[3 * f + (turn ? 1 : 2)]);
+    for (int times = !closed && cap == vtkShadowCap::All ? 2 : 1; times > 0; --times)
+    {
+      triangles.push_back(indices[3 * f]);
+      triangles.push_back(indices[3 * f + (turn ? 2 : 1)]);
+      triangles.push_back(indices[3 * f + (turn ? 1 : 2)]);
+    }
   }
 }

@@ -4,9 +4,13 @@
 // the edges where the set's boundary runs: an edge counts the signed sum of its faces, each as it
 // runs along the edge once it is turned.
 //   - Of a closed body the set is the faces that face away. Its boundary is the silhouette, each edge
-//     counting once, and its cap is nowhere a surface that light reaches.
+//     counting once, and its cap is nowhere a surface that light reaches. But the volume begins at the
+//     body's far side: what lies inside of it counts as lit.
 //   - Of all else the set is every face, so that holes, sheets and any winding are right. Where two
 //     faces meet in a silhouette, the edge counts twice.
+//
+// Where the inside of bodies is seen, their caps are others (vtkShadowCap). What faces the light and
+// what faces away have the same boundary, so that all stand on the same edges.
 //
 // For up to 64 places at once, one word a face says which of them it faces; words of most edges' two
 // faces are equal, which leaves the edge out for all places together.
@@ -25,6 +29,14 @@
 
 class vtkShadowAdjacencies;
 struct vtkShadowAdjacency;
+
+/** Which faces of closed bodies are in a cap. */
+enum class vtkShadowCap
+{
+  Away,   // those that face away: right outside of the body
+  Facing, // those that face the light: inside too, if the light is outside
+  All     // right everywhere; the sides are drawn twice, and so are the faces of what is not closed
+};
 
 /** What one place on a light sees. */
 struct vtkShadowSilhouette
@@ -57,7 +69,7 @@ public:
 
   /** Add the triangles of a caster's cap, turned to the light, to a list. */
   static void AddCap(const vtkShadowCaster& caster, const vtkShadowAdjacency& adjacency,
-    const glm::dvec4& place, std::vector<std::uint32_t>& triangles);
+    const glm::dvec4& place, vtkShadowCap cap, std::vector<std::uint32_t>& triangles);
 
 private:
   std::size_t FindMostNested(const vtkShadowCasters& casters, const std::vector<int>& which,

@@ -35,9 +35,8 @@ vtkShadowTechniqueAutoInit(VTKSOFTSHADOWSSHADOWVOLUMES_EXPORT, vtkSoftShadowsSha
     };
     t.Limits = { "The cost is that of filling the volumes: it grows with silhouettes, pixels and "
                  "samples.",
-      "counting=z-pass is wrong where the eye is in a volume, or looks into a caster whose faces "
-      "are "
-      "culled or clipped.",
+      "counting=z-pass is wrong where the eye is in a volume, or sees the inside of a body: from "
+      "within, or through faces that are translucent, culled or clipped.",
       "counting=xor is wrong there too, where volumes overlap, and where two surfaces of an open "
       "mesh "
       "lie behind each other.",

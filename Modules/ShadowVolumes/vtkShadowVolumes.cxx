@@ -12,6 +12,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -28,6 +29,33 @@ constexpr double Nearness = 1e-6;
 double Side(const glm::dvec4& plane, const glm::dvec3& point)
 {
   return glm::dot(plane, glm::dvec4(point, 1.0));
+}
+
+/** No plane has all of the caster's box outside. */
+bool MayReachInto(
+  const std::vector<glm::dvec4>& planes, const vtkShadowCaster& caster, double slack = 0.0)
+{
+  return std::none_of(planes.begin(), planes.end(),
+    [&](const glm::dvec4& plane)
+    {
+      return std::all_of(caster.Corners.begin(), caster.Corners.end(),
+        [&](const glm::dvec3& corner) { return Side(plane, corner) < -slack; });
+    });
+}
+
+/** A light may be within a body: it is in the box around its own, along the world's axes. */
+bool MayHold(const vtkShadowCaster& caster, const glm::dvec4& place)
+{
+  glm::dvec3 low = caster.Corners[0];
+  glm::dvec3 high = low;
+  for (const auto& corner : caster.Corners)
+  {
+    low = glm::min(low, corner);
+    high = glm::max(high, corner);
+  }
+  const glm::dvec3 light(place);
+  return place.w != 0.0 && glm::all(glm::lessThanEqual(low, light)) &&
+         glm::all(glm::lessThanEqual(light, high));
 }
 
 /** A plane of unit normal through a point. */
@@ -260,7 +288,8 @@ vtkShadowVolumes::Selection vtkShadowVolumes::Select(vtkShadowFrame& frame, int 
   const vtkShadowSilhouette& silhouette =
     selection.Lines->Silhouettes.Get()[sample % vtkShadowSilhouettes::MostPlaces];
   const auto shading = this->GetShadingPlanes(place);
-  std::vector<int> capped;
+  std::vector<CappedCaster> capped;
+  std::size_t mostNested = silhouette.MostNested;
   for (const auto& part : silhouette.Parts)
   {
     const vtkShadowCaster& caster = frame.Casters->Get()[part.Caster];
@@ -268,11 +297,23 @@ vtkShadowVolumes::Selection vtkShadowVolumes::Select(vtkShadowFrame& frame, int 
     {
       ++frame.Counts["volumesOutOfView"];
     }
-    else if (this->Current.Method == Counting::ZFail ||
-             (this->Current.Method == Counting::Auto && NeedsCaps(caster, shading)))
+    else if (this->Current.Method == Counting::ZPass || this->Current.Method == Counting::Xor)
     {
+      selection.ZPass.push_back(part);
+    }
+    else if (const bool inside = this->IsLookedInto(caster);
+             inside || this->Current.Method == Counting::ZFail || MayReachInto(shading, caster))
+    {
+      const vtkShadowCap cap = !inside                   ? vtkShadowCap::Away
+                               : MayHold(caster, place) ? vtkShadowCap::All
+                                                         : vtkShadowCap::Facing;
       selection.ZFail.push_back(part);
-      capped.push_back(part.Caster);
+      if (cap == vtkShadowCap::All)
+      {
+        selection.ZFail.push_back(part);
+        mostNested = 2 * silhouette.MostNested;
+      }
+      capped.emplace_back(part.Caster, cap);
     }
     else
     {
@@ -280,8 +321,8 @@ vtkShadowVolumes::Selection vtkShadowVolumes::Select(vtkShadowFrame& frame, int 
     }
   }
   frame.Counts["volumesZPass"] += static_cast<double>(selection.ZPass.size());
-  frame.Counts["volumesZFail"] += static_cast<double>(selection.ZFail.size());
-  selection.Wide = this->Current.Method != Counting::Xor && silhouette.MostNested > 255;
+  frame.Counts["volumesZFail"] += static_cast<double>(capped.size());
+  selection.Wide = this->Current.Method != Counting::Xor && mostNested > 255;
   frame.Counts["wideCounts"] += selection.Wide ? 1 : 0;
   if (!capped.empty())
   {
@@ -309,10 +350,8 @@ bool vtkShadowVolumes::IsOutOfView(const vtkShadowCaster& caster, const glm::dve
 }
 
 //------------------------------------------------------------------------------
-bool vtkShadowVolumes::NeedsCaps(
-  const vtkShadowCaster& caster, const std::vector<glm::dvec4>& shading)
+bool vtkShadowVolumes::IsLookedInto(const vtkShadowCaster& caster) const
 {
-  // Where the caster's surface can be looked through, a view ray enters its volume unseen.
   if (auto* actor = vtkActor::SafeDownCast(caster.Prop))
   {
     vtkPlaneCollection* clipping = actor->GetMapper()->GetClippingPlanes();
@@ -325,17 +364,18 @@ bool vtkShadowVolumes::NeedsCaps(
       return true;
     }
   }
-  return std::none_of(shading.begin(), shading.end(),
-    [&](const glm::dvec4& plane)
-    {
-      return std::all_of(caster.Corners.begin(), caster.Corners.end(),
-        [&](const glm::dvec3& corner) { return Side(plane, corner) < 0.0; });
-    });
+  // The near rectangle, which is what the frustum has in the near plane, may cut the caster's box.
+  const auto& corners = caster.Corners;
+  const glm::dvec4& ahead = this->FrustumPlanes[4];
+  const double slack = Nearness * glm::length(corners[7] - corners[0]);
+  return std::any_of(corners.begin(), corners.end(),
+           [&](const glm::dvec3& corner) { return Side(ahead, corner) <= slack; }) &&
+         MayReachInto(this->FrustumPlanes, caster, slack);
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowVolumes::UpdateCaps(
-  vtkShadowFrame& frame, int light, int sample, const std::vector<int>& casters)
+  vtkShadowFrame& frame, int light, int sample, const std::vector<CappedCaster>& casters)
 {
   if (light == this->CapLight && sample == this->CapSample && casters == this->CapCasters)
   {
@@ -343,13 +383,13 @@ void vtkShadowVolumes::UpdateCaps(
   }
   std::vector<std::uint32_t> triangles;
   this->CapParts.clear();
-  for (const int i : casters)
+  for (const auto& [index, cap] : casters)
   {
-    const vtkShadowCaster& caster = frame.Casters->Get()[i];
+    const vtkShadowCaster& caster = frame.Casters->Get()[index];
     const std::size_t first = triangles.size();
-    vtkShadowSilhouettes::AddCap(
-      caster, this->Adjacencies.Get(caster.Mesh), this->Lights[light].Places[sample], triangles);
-    this->CapParts.push_back({ i, first, triangles.size() - first });
+    vtkShadowSilhouettes::AddCap(caster, this->Adjacencies.Get(caster.Mesh),
+      this->Lights[light].Places[sample], cap, triangles);
+    this->CapParts.push_back({ index, first, triangles.size() - first });
   }
   glBindVertexArray(0);
   this->Caps->Upload(triangles, vtkOpenGLBufferObject::ElementArrayBuffer);

@@ -2,8 +2,9 @@
 // unchanged, and their counting over the receivers' depth.
 //
 //   lines    index buffer  8 bytes a silhouette edge and place: pairs of the casters' vertices
-//   caps     index buffer  12 bytes a triangle, where volumes are counted by z-fail: of one sample,
-//                          made anew for the next
+//   caps     index buffer  12 bytes a triangle (24 of an open mesh with the light within and its inside
+//                          in sight), where volumes are counted by z-fail: of one sample, made anew
+//                          for the next
 //   depth    DEPTH32F_STENCIL8  viewport size; the receivers' depth and the count, which wraps
 //   counts   R32F          viewport size; instead of the stencil where more than 255 volumes may nest
 //
@@ -26,6 +27,7 @@
 #include "vtkSoftShadowsShadowVolumesModule.h" // For export macro
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
 #include <cstddef>
@@ -104,13 +106,15 @@ private:
     std::vector<glm::dvec4> Places;              // of the samples, in WC
     std::vector<std::unique_ptr<Batch>> Batches; // those that are kept
   };
+  /** A caster, and its cap. */
+  using CappedCaster = std::pair<int, vtkShadowCap>;
   /** What a frame draws of one sample. */
   struct Selection
   {
     const Batch* Lines = nullptr;
     std::vector<vtkShadowCasterPart> ZPass;
-    std::vector<vtkShadowCasterPart> ZFail;
-    bool Wide = false; // counts may pass 255
+    std::vector<vtkShadowCasterPart> ZFail; // twice where the sides are
+    bool Wide = false;                      // counts may pass 255
   };
 
   void FindSilhouettes(vtkShadowFrame& frame, LightState& state, int batch, Batch& result);
@@ -120,11 +124,15 @@ private:
   bool IsOutOfView(const vtkShadowCaster& caster, const glm::dvec4& place) const;
   /** Planes around what can shadow the near rectangle: the pyramid over it with the light on top. */
   std::vector<glm::dvec4> GetShadingPlanes(const glm::dvec4& place) const;
-  static bool NeedsCaps(const vtkShadowCaster& caster, const std::vector<glm::dvec4>& shading);
-  void UpdateCaps(vtkShadowFrame& frame, int light, int sample, const std::vector<int>& casters);
+  /** The eye may see the inside of a body: through its surface, or where the near plane cuts it. */
+  bool IsLookedInto(const vtkShadowCaster& caster) const;
+  void UpdateCaps(
+    vtkShadowFrame& frame, int light, int sample, const std::vector<CappedCaster>& casters);
 
   void SetExtrusion(vtkShaderProgram* program, const vtkShadowCaster& caster,
     const glm::dvec4& place, const glm::dmat4& matrix) const;
+  /** How far a face that stands in a surface is moved back: a share of its depth, a depth. */
+  glm::vec2 GetRetreat() const;
   void SetFrontFace(bool reversed) const;
   void DrawSides(vtkShadowFrame& frame, const glm::dvec4& place, const Selection& selection,
     const std::vector<vtkShadowCasterPart>& parts, bool counted, const char* shader,
@@ -160,7 +168,7 @@ private:
   std::size_t CapBytes = 0;
   int CapLight = -1; // whose caps the buffer holds
   int CapSample = -1;
-  std::vector<int> CapCasters;
+  std::vector<CappedCaster> CapCasters;
   std::vector<vtkShadowCasterPart> CapParts;
   vtkShadowTexture Depth;
   vtkShadowTexture Counts;

@@ -104,6 +104,16 @@ void vtkShadowVolumes::SetExtrusion(vtkShaderProgram* program, const vtkShadowCa
 }
 
 //------------------------------------------------------------------------------
+glm::vec2 vtkShadowVolumes::GetRetreat() const
+{
+  if (this->ClipControl && !this->Parallel)
+  {
+    return { BackShare, 0.0f };
+  }
+  return { 0.0f, this->ClipControl ? BackStep : 2.0f * BackStep };
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowVolumes::DrawSides(vtkShadowFrame& frame, const glm::dvec4& place,
   const Selection& selection, const std::vector<vtkShadowCasterPart>& parts, bool counted,
   const char* shader, const std::function<void(vtkShaderProgram*)>& setParameters)
@@ -115,9 +125,7 @@ void vtkShadowVolumes::DrawSides(vtkShadowFrame& frame, const glm::dvec4& place,
   const glm::dmat4& matrix = counted ? this->WCToDraw : this->WCToClip;
   how.SetParameters = [&](vtkShaderProgram* program)
   {
-    const bool share = this->ClipControl && !this->Parallel;
-    const glm::vec2 back(counted && share ? BackShare : 0.0f,
-      !counted || share ? 0.0f : (this->ClipControl ? BackStep : 2.0f * BackStep));
+    const glm::vec2 back = counted ? this->GetRetreat() : glm::vec2(0.0f);
     program->SetUniform2f("shadowRetreat", glm::value_ptr(back));
     program->SetUniformf("shadowFacing", this->Mirrored ? -1.0f : 1.0f);
     if (setParameters)
@@ -142,6 +150,8 @@ void vtkShadowVolumes::DrawCaps(vtkShadowFrame& frame, const glm::dvec4& place, 
     how.SetParameters = [&](vtkShaderProgram* program)
     {
       program->SetUniformi("shadowFar", far ? 1 : 0);
+      const glm::vec2 back = this->GetRetreat();
+      program->SetUniform2f("shadowRetreat", glm::value_ptr(back));
       if (setParameters)
       {
         setParameters(program);
