@@ -37,7 +37,14 @@ void vtkShadowDepthPyramid::Build(
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   this->Maps.Activate(frame.Window, maps, vtkShadowTexture::Sampling::Nearest);
-  this->Pyramid.Activate(frame.Window);
+  // A texture may be read while it is drawn into, if its filter sees the base level alone and that is
+  // another one than the framebuffer's. The base level is then the 0 of look-ups.
+  const auto readLevel = [&](int level)
+  {
+    this->Pyramid.Activate(frame.Window);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BASE_LEVEL, level);
+  };
   vtkShadowFramebuffer::Scope target(
     frame.Window, this->Framebuffer, &this->Pyramid, nullptr, first);
   const std::string source = vtkShadowDepthPyramidFS;
@@ -46,6 +53,10 @@ void vtkShadowDepthPyramid::Build(
     firstSource, "//VTK::Output::Dec", "#define SHADOW_FIRST_LEVEL\n//VTK::Output::Dec");
   for (int level = 0; level < this->Pyramid.GetLevels(); ++level)
   {
+    if (level > 0)
+    {
+      readLevel(level - 1);
+    }
     for (int layer = first; layer < first + count; ++layer)
     {
       target.SetLayer(layer, level);
@@ -55,10 +66,11 @@ void vtkShadowDepthPyramid::Build(
           program->SetUniformi(
             "shadowSource", level == 0 ? this->Maps.GetUnit() : this->Pyramid.GetUnit());
           program->SetUniformi("shadowLayer", layer);
-          program->SetUniformi("shadowSourceLevel", level - 1);
         });
     }
   }
+  readLevel(0);
+  this->Pyramid.SetSampling(frame.Window, vtkShadowTexture::Sampling::Nearest); // of all levels
   this->Pyramid.Deactivate(frame.Window);
   this->Maps.Deactivate(frame.Window);
 }

@@ -46,6 +46,8 @@ bool vtkShadowTexture::Allocate(
   {
   }
   this->Bytes = 0;
+  // First, so that drivers need not guess how many there will be.
+  glTexParameteri(this->Target, GL_TEXTURE_MAX_LEVEL, levels - 1);
   for (int level = 0; level < levels; ++level)
   {
     const int levelWidth = std::max(1, width >> level);
@@ -55,7 +57,6 @@ bool vtkShadowTexture::Allocate(
     this->Bytes += layout.Size * levelWidth * levelHeight * layers;
   }
   const bool made = glGetError() == GL_NO_ERROR;
-  glTexParameteri(this->Target, GL_TEXTURE_MAX_LEVEL, levels - 1);
   glTexParameteri(this->Target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTexParameteri(this->Target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   this->SetSampling(window, Sampling::Nearest);

@@ -5,9 +5,8 @@
 
 //VTK::Output::Dec
 
-uniform sampler2DArray shadowSource; // the maps, or the texture that is drawn into, at another level
+uniform sampler2DArray shadowSource; // the maps, or the pyramid, whose base level is the one before
 uniform int shadowLayer;
-uniform int shadowSourceLevel;
 
 vec2 shadowFetch(ivec2 texel)
 {
@@ -16,7 +15,7 @@ vec2 shadowFetch(ivec2 texel)
   ivec2 last = textureSize(shadowSource, 0).xy - 1;
   return vec2(texelFetch(shadowSource, ivec3(min(texel, last), shadowLayer), 0).r);
 #else
-  return texelFetch(shadowSource, ivec3(texel, shadowLayer), shadowSourceLevel).rg;
+  return texelFetch(shadowSource, ivec3(texel, shadowLayer), 0).rg;
 #endif
 }
 
