@@ -13,10 +13,14 @@
 #include "vtkShaderProgram.h"
 #include "vtkShadowCasterFS.h"
 #include "vtkShadowCasterVS.h"
+#include "vtkShadowHolesFS.h"
+#include "vtkShadowHolesVS.h"
 #include "vtkShadowLight.h"
 #include "vtkShadowPass.h"
 #include "vtkShadowSurfaces.h"
 #include "vtkShadowVTKVersion.h"
+#include "vtkTexture.h"
+#include "vtkTextureObject.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -96,12 +100,95 @@ public:
   unsigned long MeshVersion = 0;
   vtkNew<vtkOpenGLBufferObject> Vertices;
   vtkNew<vtkOpenGLBufferObject> Indices;
+  vtkNew<vtkOpenGLBufferObject> Places; // of holes
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
+  /** Of casters with holes; that of nullptr is 1 everywhere. */
+  std::map<std::shared_ptr<const vtkShadowAlphaMap>, vtkSmartPointer<vtkTextureObject>> Maps;
   vtkShaderProgram* Program = nullptr; // owned by the window's shader cache
   std::vector<GLsizei> Counts;         // indices of each caster
   std::vector<std::size_t> Offsets;    // first index of each caster, in bytes
   std::vector<GLint> FirstVertices;    // of each caster
   std::size_t Bytes = 0;
+
+  /** Places and maps of casters with holes, whose vertices come first in this order. */
+  void UploadHoles(vtkOpenGLRenderWindow* window, const std::vector<vtkShadowCaster>& casters,
+    const std::vector<std::size_t>& order)
+  {
+    std::vector<float> places;
+    std::set<const vtkShadowMesh*> known;
+    const auto before = std::move(this->Maps);
+    this->Maps.clear();
+    for (const std::size_t i : order)
+    {
+      const vtkShadowHoles* holes = casters[i].Mesh->Holes.get();
+      if (!holes || !known.insert(casters[i].Mesh.get()).second)
+      {
+        continue;
+      }
+      places.insert(places.end(), holes->Places.begin(), holes->Places.end());
+      auto& texture = this->Maps[holes->Map];
+      const auto old = before.find(holes->Map);
+      if (!texture)
+      {
+        texture = old != before.end() ? old->second : MakeTexture(window, holes->Map.get());
+      }
+    }
+    for (const auto& entry : before)
+    {
+      if (this->Maps.count(entry.first) == 0)
+      {
+        entry.second->ReleaseGraphicsResources(window);
+      }
+    }
+    for (const auto& entry : this->Maps)
+    {
+      this->Bytes += entry.first ? entry.first->Texels.size() : 1;
+    }
+    if (!places.empty())
+    {
+      this->Places->Upload(places, vtkOpenGLBufferObject::ArrayBuffer);
+      this->Bytes += places.size() * sizeof(float);
+    }
+    else
+    {
+      this->Places->ReleaseGraphicsResources();
+    }
+  }
+
+private:
+  static vtkSmartPointer<vtkTextureObject> MakeTexture(
+    vtkOpenGLRenderWindow* window, const vtkShadowAlphaMap* map)
+  {
+    unsigned char one = 255;
+    auto texture = vtkSmartPointer<vtkTextureObject>::New();
+    texture->SetContext(window);
+    texture->Create2DFromRaw(map ? map->Width : 1, map ? map->Height : 1, 1, VTK_UNSIGNED_CHAR,
+      map ? const_cast<unsigned char*>(map->Texels.data()) : &one);
+    const bool linear = map && map->Linear;
+    const int filter = linear ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
+    texture->SetMinificationFilter(filter);
+    texture->SetMagnificationFilter(filter);
+    int wrap = vtkTextureObject::ClampToEdge;
+    switch (map ? map->Wrap : static_cast<int>(vtkTexture::ClampToEdge))
+    {
+      case vtkTexture::Repeat:
+        wrap = vtkTextureObject::Repeat;
+        break;
+      case vtkTexture::MirroredRepeat:
+        wrap = vtkTextureObject::MirroredRepeat;
+        break;
+      case vtkTexture::ClampToBorder:
+        wrap = vtkTextureObject::ClampToBorder;
+        break;
+      default:
+        break;
+    }
+    texture->SetWrapS(wrap);
+    texture->SetWrapT(wrap);
+    const float border = map ? map->Border / 255.0f : 0.0f;
+    texture->SetBorderColor(border, border, border, border);
+    return texture;
+  }
 };
 
 //------------------------------------------------------------------------------
@@ -124,15 +211,71 @@ double vtkShadowCaster::GetRadius() const
          std::max({ glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]) });
 }
 
-/** Meshes that are in use, and when their shape last changed. */
+/** Meshes that are in use, and when their shape and their alpha last changed. */
 struct vtkShadowCasters::Known
 {
   struct Entry
   {
     vtkMTimeType Time = 0;
+    vtkMTimeType AlphaTime = 0;
+    double Threshold = 0.0; // where there is alpha
     std::shared_ptr<const vtkShadowMesh> Mesh;
   };
+  struct MapEntry
+  {
+    vtkMTimeType Time = 0;
+    std::shared_ptr<const vtkShadowAlphaMap> Map;
+  };
   std::map<vtkShadowSurface::Origin, Entry> Entries;
+  std::map<const void*, MapEntry> Maps; // by what they are made of
+
+  /** The mesh of a surface, kept from before if it is still the same. */
+  const Entry& Find(const vtkShadowSurface& surface, double threshold, const Known& before)
+  {
+    Entry& entry = this->Entries[surface.From];
+    if (entry.Mesh)
+    {
+      return entry;
+    }
+    const auto old = before.Entries.find(surface.From);
+    const Entry* last = old != before.Entries.end() ? &old->second : nullptr;
+    entry.Time = surface.Time;
+    entry.AlphaTime = surface.AlphaTime;
+    entry.Threshold = surface.AlphaTime > 0 ? threshold : 0.0;
+    const bool sameShape = last && last->Time == entry.Time;
+    std::shared_ptr<const vtkShadowAlphaMap> map;
+    if (surface.Map)
+    {
+      map = this->FindMap(surface, before);
+    }
+    if (sameShape && last->AlphaTime == entry.AlphaTime && last->Threshold == entry.Threshold)
+    {
+      entry.Mesh = last->Mesh;
+      return entry;
+    }
+    // What is exactly as low as the threshold is there, also when it is interpolated.
+    const double least = entry.Threshold - 1e-5;
+    entry.Mesh = vtkShadowMesh::Make(surface.MakePolygons(least), map, static_cast<float>(least));
+    if (sameShape && entry.Mesh->IsSame(*last->Mesh))
+    {
+      entry.Mesh = last->Mesh; // other colours, the same holes
+    }
+    return entry;
+  }
+
+private:
+  std::shared_ptr<const vtkShadowAlphaMap> FindMap(
+    const vtkShadowSurface& surface, const Known& before)
+  {
+    MapEntry& entry = this->Maps[surface.Map];
+    if (entry.Time != surface.MapTime)
+    {
+      const auto old = before.Maps.find(surface.Map);
+      const bool same = old != before.Maps.end() && old->second.Time == surface.MapTime;
+      entry = same ? old->second : MapEntry{ surface.MapTime, surface.MakeMap() };
+    }
+    return entry.Map;
+  }
 };
 
 //------------------------------------------------------------------------------
@@ -145,8 +288,10 @@ vtkShadowCasters::vtkShadowCasters()
 vtkShadowCasters::~vtkShadowCasters() = default;
 
 //------------------------------------------------------------------------------
-bool vtkShadowCasters::Update(vtkRenderer* renderer, vtkTranslucentCasters translucent, int levels)
+bool vtkShadowCasters::Update(vtkRenderer* renderer, vtkTranslucentCasters translucent, int levels,
+  double alphaThreshold)
 {
+  this->UnknownAlphas = 0;
   Known known; // of this time; what is in it no more is forgotten
   std::vector<Placed> placed;
   std::vector<std::array<glm::dvec3, 8>> receivers; // in the world
@@ -157,20 +302,14 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer, vtkTranslucentCasters trans
     const bool receives = vtkShadowPass::GetReceiving(root);
     const auto addSurface = [&](const vtkShadowSurface& surface)
     {
+      this->UnknownAlphas += surface.AlphaUnknown ? 1 : 0;
       const bool weighted = surface.Translucent && translucent == vtkTranslucentCasters::Weighted;
       const double opacity = weighted ? std::min(surface.Opacity, 1.0) : 1.0;
       if ((surface.Translucent && translucent == vtkTranslucentCasters::Off) || !(opacity > 0.0))
       {
         return;
       }
-      Known::Entry& entry = known.Entries[surface.From];
-      if (!entry.Mesh)
-      {
-        const auto old = this->Meshes->Entries.find(surface.From);
-        const bool same = old != this->Meshes->Entries.end() && old->second.Time == surface.Time;
-        entry.Time = surface.Time;
-        entry.Mesh = same ? old->second.Mesh : vtkShadowMesh::Make(surface.MakePolygons());
-      }
+      const Known::Entry& entry = known.Find(surface, alphaThreshold, *this->Meshes);
       if (!entry.Mesh->Indices.empty() || entry.Mesh->Dropped > 0)
       {
         placed.push_back({ entry.Mesh, prop, glm::translate(modelToWorld, entry.Mesh->Centre),
@@ -305,7 +444,19 @@ std::size_t vtkShadowCasters::GetNumberOfTrianglesNotFinite() const
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowCasters::Upload()
+std::size_t vtkShadowCasters::GetNumberOfClearTriangles() const
+{
+  return Sum(this->Casters, [](const vtkShadowMesh& m) { return m.Clear; });
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkShadowCasters::GetNumberWithHoles() const
+{
+  return Sum(this->Casters, [](const vtkShadowMesh& m) { return m.Holes ? 1 : 0; });
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowCasters::Upload(vtkOpenGLRenderWindow* window)
 {
   if (!this->GPU)
   {
@@ -318,20 +469,23 @@ void vtkShadowCasters::Upload()
     std::vector<std::uint32_t> indices;
     vertices.reserve(3 * this->GetNumberOfVertices());
     indices.reserve(3 * this->GetNumberOfTriangles());
-    gpu.Counts.clear();
-    gpu.Offsets.clear();
-    gpu.FirstVertices.clear();
+    gpu.Counts.assign(this->Casters.size(), 0);
+    gpu.Offsets.assign(this->Casters.size(), 0);
+    gpu.FirstVertices.assign(this->Casters.size(), 0);
+    std::vector<std::size_t> order(this->Casters.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_partition(order.begin(), order.end(),
+      [this](std::size_t i) { return this->Casters[i].Mesh->Holes != nullptr; });
     std::map<const vtkShadowMesh*, std::size_t> known; // casters share their mesh's place
-    for (std::size_t i = 0; i < this->Casters.size(); ++i)
+    for (const std::size_t i : order)
     {
       const vtkShadowMesh& mesh = *this->Casters[i].Mesh;
       const auto place = known.emplace(&mesh, i);
       const std::size_t same = place.first->second;
-      gpu.Counts.push_back(static_cast<GLsizei>(mesh.Indices.size()));
-      gpu.Offsets.push_back(
-        place.second ? indices.size() * sizeof(std::uint32_t) : gpu.Offsets[same]);
-      gpu.FirstVertices.push_back(
-        place.second ? static_cast<GLint>(vertices.size() / 3) : gpu.FirstVertices[same]);
+      gpu.Counts[i] = static_cast<GLsizei>(mesh.Indices.size());
+      gpu.Offsets[i] = place.second ? indices.size() * sizeof(std::uint32_t) : gpu.Offsets[same];
+      gpu.FirstVertices[i] =
+        place.second ? static_cast<GLint>(vertices.size() / 3) : gpu.FirstVertices[same];
       if (!place.second)
       {
         continue;
@@ -349,19 +503,30 @@ void vtkShadowCasters::Upload()
     gpu.VertexArray->Release();
     gpu.Program = nullptr; // attributes are to be bound anew
     gpu.Bytes = vertices.size() * sizeof(float) + indices.size() * sizeof(std::uint32_t);
+    gpu.UploadHoles(window, this->Casters, order);
     gpu.MeshVersion = this->MeshVersion;
   }
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* vtkShadowCasters::Bind(
-  vtkOpenGLRenderWindow* window, vtkOpenGLBufferObject* indices, const vtkShadowCasterDraw& how)
+vtkShaderProgram* vtkShadowCasters::Bind(vtkOpenGLRenderWindow* window,
+  vtkOpenGLBufferObject* indices, const vtkShadowCasterDraw& how, bool holes)
 {
   Buffers& gpu = *this->GPU;
-  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
-    how.VertexShader ? how.VertexShader : vtkShadowCasterVS,
-    how.FragmentShader ? how.FragmentShader : vtkShadowCasterFS,
-    how.GeometryShader ? how.GeometryShader : "");
+  std::string vertexShader = how.VertexShader ? how.VertexShader : vtkShadowCasterVS;
+  std::string fragmentShader = how.FragmentShader ? how.FragmentShader : vtkShadowCasterFS;
+  if (holes)
+  {
+    const auto replace = [](std::string& shader, const char* declaration, const char* call)
+    {
+      vtkShaderProgram::Substitute(shader, "//VTK::ShadowHoles::Dec", declaration);
+      vtkShaderProgram::Substitute(shader, "//VTK::ShadowHoles::Impl", call);
+    };
+    replace(vertexShader, vtkShadowHolesVS, "shadowPassPlace();");
+    replace(fragmentShader, vtkShadowHolesFS, "shadowDiscardHole();");
+  }
+  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(vertexShader.c_str(),
+    fragmentShader.c_str(), how.GeometryShader ? how.GeometryShader : "");
   if (!program)
   {
     return nullptr; // the shader cache has reported why
@@ -379,6 +544,11 @@ vtkShaderProgram* vtkShadowCasters::Bind(
   {
     gpu.VertexArray->AddAttributeArray(
       program, gpu.Vertices, "vertexMC", 0, 3 * sizeof(float), VTK_FLOAT, 3, false);
+    if (holes)
+    {
+      gpu.VertexArray->AddAttributeArray(
+        program, gpu.Places, "shadowPlace", 0, 3 * sizeof(float), VTK_FLOAT, 3, false);
+    }
     gpu.Program = program;
   }
   indices->Bind();
@@ -401,20 +571,43 @@ void vtkShadowCasters::SetCaster(vtkShaderProgram* program, const glm::dmat4& WC
 void vtkShadowCasters::Draw(vtkOpenGLRenderWindow* window, const glm::dmat4& WCToClip,
   const std::vector<int>& casters, const vtkShadowCasterDraw& how)
 {
-  this->Upload();
+  this->Upload(window);
   Buffers& gpu = *this->GPU;
-  vtkShaderProgram* program = this->Bind(window, gpu.Indices, how);
-  if (!program)
+  for (const bool holes : { false, true })
   {
-    return;
+    vtkShaderProgram* program = nullptr;
+    for (const int i : casters)
+    {
+      const vtkShadowHoles* ofCaster = this->Casters[i].Mesh->Holes.get();
+      if ((ofCaster != nullptr) != holes)
+      {
+        continue;
+      }
+      if (!program)
+      {
+        program = this->Bind(window, gpu.Indices, how, holes);
+        if (!program)
+        {
+          return;
+        }
+      }
+      this->SetCaster(program, WCToClip, this->Casters[i], how);
+      vtkTextureObject* map = holes ? gpu.Maps[ofCaster->Map] : nullptr;
+      if (map)
+      {
+        map->Activate();
+        program->SetUniformi("shadowAlphaMap", map->GetTextureUnit());
+        program->SetUniformf("shadowLeastAlpha", ofCaster->Threshold);
+      }
+      glDrawElements(GL_TRIANGLES, gpu.Counts[i], GL_UNSIGNED_INT,
+        reinterpret_cast<const void*>(gpu.Offsets[i]));
+      if (map)
+      {
+        map->Deactivate();
+      }
+    }
+    gpu.VertexArray->Release();
   }
-  for (const int i : casters)
-  {
-    this->SetCaster(program, WCToClip, this->Casters[i], how);
-    glDrawElements(
-      GL_TRIANGLES, gpu.Counts[i], GL_UNSIGNED_INT, reinterpret_cast<const void*>(gpu.Offsets[i]));
-  }
-  gpu.VertexArray->Release();
 }
 
 //------------------------------------------------------------------------------
@@ -422,9 +615,9 @@ void vtkShadowCasters::DrawParts(vtkOpenGLRenderWindow* window, const glm::dmat4
   unsigned int primitive, vtkOpenGLBufferObject* indices,
   const std::vector<vtkShadowCasterPart>& parts, const vtkShadowCasterDraw& how)
 {
-  this->Upload();
+  this->Upload(window);
   Buffers& gpu = *this->GPU;
-  vtkShaderProgram* program = parts.empty() ? nullptr : this->Bind(window, indices, how);
+  vtkShaderProgram* program = parts.empty() ? nullptr : this->Bind(window, indices, how, false);
   if (!program)
   {
     return;
@@ -453,6 +646,11 @@ void vtkShadowCasters::ReleaseGraphicsResources(vtkOpenGLRenderWindow* window)
     this->GPU->VertexArray->ReleaseGraphicsResources();
     this->GPU->Vertices->ReleaseGraphicsResources();
     this->GPU->Indices->ReleaseGraphicsResources();
+    this->GPU->Places->ReleaseGraphicsResources();
+    for (auto& entry : this->GPU->Maps)
+    {
+      entry.second->ReleaseGraphicsResources(window);
+    }
     this->GPU.reset();
   }
 }

@@ -13,6 +13,8 @@
 // On the GPU, made only when a technique draws: one vertex buffer (12 bytes a vertex) and one index
 // buffer (12 bytes a triangle). A caster is one draw call with its matrix, composed in double with the
 // light's: on llvmpipe that took half the time of one call for all with the matrices in a texture.
+// Casters with holes come first, so that a buffer of 12 bytes for each of their vertices lies beside;
+// they alone are drawn by a shader that discards.
 
 #ifndef vtkShadowCasters_h
 #define vtkShadowCasters_h
@@ -69,7 +71,11 @@ struct VTKSOFTSHADOWSCORE_EXPORT vtkShadowCaster
 /** How casters are drawn: by default their depth alone. */
 struct vtkShadowCasterDraw
 {
-  /** GLSL; nullptr for the vertex or fragment shader of depth, or for no geometry shader. */
+  /**
+   * GLSL; nullptr for the vertex or fragment shader of depth, or for no geometry shader. Of casters
+   * with holes the marks //VTK::ShadowHoles::Dec and ::Impl in both shaders are replaced, by what
+   * discards fragments.
+   */
   const char* VertexShader = nullptr;
   const char* GeometryShader = nullptr;
   const char* FragmentShader = nullptr;
@@ -98,10 +104,11 @@ public:
    * Gather what the renderer's visible props cast. True when anything changed.
    * Casting: what vtkShadowSurfaces.h names, of props and those within assemblies that are not
    * switched off by vtkShadowPass::SetCasting, and translucent ones as told. Their opacities are
-   * rounded to so many levels between 0 and 1 where more of them occur. Updates the mappers' inputs.
+   * rounded to so many levels between 0 and 1 where more of them occur. Where the alpha of colours
+   * and textures is below a threshold, a surface has a hole. Updates the mappers' inputs.
    */
   bool Update(vtkRenderer* renderer, vtkTranslucentCasters translucent = vtkTranslucentCasters::Off,
-    int levels = 0);
+    int levels = 0, double alphaThreshold = 0.5);
 
   const std::vector<vtkShadowCaster>& Get() const { return this->Casters; }
   /** Boxes of visible props that do not cast but can receive, as eight corners in WC. */
@@ -127,11 +134,20 @@ public:
   std::size_t GetNumberOfTriangles() const;
   std::size_t GetNumberOfDroppedTriangles() const;
   std::size_t GetNumberOfTrianglesNotFinite() const;
+  /** Those that alpha leaves nothing of. */
+  std::size_t GetNumberOfClearTriangles() const;
+  /** How many casters have holes within their triangles. */
+  std::size_t GetNumberWithHoles() const;
+  /** Props of alpha that is not known, and that cast without. */
+  std::size_t GetNumberOfUnknownAlphas() const { return this->UnknownAlphas; }
 
-  /** Draw the triangles of casters (indices into Get()) into the bound framebuffer. */
+  /**
+   * Draw the triangles of casters (indices into Get()), but for their holes, into the bound
+   * framebuffer.
+   */
   void Draw(vtkOpenGLRenderWindow* window, const glm::dmat4& WCToClip,
     const std::vector<int>& casters, const vtkShadowCasterDraw& how = {});
-  /** Draw parts of casters, by 32-bit indices of a primitive type of OpenGL's. */
+  /** Draw parts of casters, holes and all, by 32-bit indices of a primitive type of OpenGL's. */
   void DrawParts(vtkOpenGLRenderWindow* window, const glm::dmat4& WCToClip, unsigned int primitive,
     vtkOpenGLBufferObject* indices, const std::vector<vtkShadowCasterPart>& parts,
     const vtkShadowCasterDraw& how);
@@ -143,9 +159,9 @@ public:
 private:
   class Buffers;
 
-  void Upload();
-  vtkShaderProgram* Bind(
-    vtkOpenGLRenderWindow* window, vtkOpenGLBufferObject* indices, const vtkShadowCasterDraw& how);
+  void Upload(vtkOpenGLRenderWindow* window);
+  vtkShaderProgram* Bind(vtkOpenGLRenderWindow* window, vtkOpenGLBufferObject* indices,
+    const vtkShadowCasterDraw& how, bool holes);
   void SetCaster(vtkShaderProgram* program, const glm::dmat4& WCToClip,
     const vtkShadowCaster& caster, const vtkShadowCasterDraw& how);
 
@@ -160,6 +176,7 @@ private:
   unsigned long Version = 0;
   unsigned long MeshVersion = 0;
   unsigned long ReceiverVersion = 0;
+  std::size_t UnknownAlphas = 0;
   std::unique_ptr<Buffers> GPU;
 };
 

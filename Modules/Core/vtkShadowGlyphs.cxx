@@ -17,6 +17,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkQuaternion.h"
+#include "vtkShadowAlpha.h"
 #include "vtkShadowMesh.h"
 #include "vtkSphereSource.h"
 
@@ -138,6 +139,13 @@ vtkSmartPointer<vtkPolyData> MakeSpheres(vtkPolyData* input, const std::vector<v
   return copies.Get();
 }
 
+/** Which points of data are there, by their colours' alpha. */
+std::function<bool(vtkIdType)> GetPresence(vtkMapper* mapper, vtkDataSet* data, double threshold)
+{
+  return [points = vtkShadowAlpha::FindPoints(mapper, data, threshold)](vtkIdType i)
+  { return points.empty() || points[i]; };
+}
+
 std::vector<vtkIdType> GetAllPoints(vtkPolyData* input)
 {
   std::vector<vtkIdType> all(input->GetNumberOfPoints());
@@ -149,20 +157,25 @@ std::vector<vtkIdType> GetAllPoints(vtkPolyData* input)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> MakeSphereImposters(vtkOpenGLSphereMapper* mapper, vtkPolyData* input)
+vtkSmartPointer<vtkPolyData> MakeSphereImposters(
+  vtkOpenGLSphereMapper* mapper, vtkPolyData* input, double threshold)
 {
   vtkDataArray* scales = GetArray(input, mapper->*Spheres::Scale);
   const double radius = mapper->GetRadius();
+  const auto isThere = GetPresence(mapper, input, threshold);
   return MakeSpheres(input, GetAllPoints(input),
-    [=](vtkIdType i) { return scales ? scales->GetComponent(i, 0) : radius; });
+    [=](vtkIdType i)
+    { return isThere(i) ? (scales ? scales->GetComponent(i, 0) : radius) : 0.0; });
 }
 
 //------------------------------------------------------------------------------
 // Cylinders around their points, along a direction times a length.
-vtkSmartPointer<vtkPolyData> MakeSticks(vtkOpenGLStickMapper* mapper, vtkPolyData* input)
+vtkSmartPointer<vtkPolyData> MakeSticks(
+  vtkOpenGLStickMapper* mapper, vtkPolyData* input, double threshold)
 {
   vtkDataArray* sizes = GetArray(input, mapper->*Sticks::Scale);
   vtkDataArray* directions = GetArray(input, mapper->*Sticks::Orientation);
+  const auto isThere = GetPresence(mapper, input, threshold);
   Copies copies;
   if (sizes && directions && sizes->GetNumberOfComponents() >= 2 &&
       directions->GetNumberOfComponents() == 3)
@@ -176,7 +189,7 @@ vtkSmartPointer<vtkPolyData> MakeSticks(vtkOpenGLStickMapper* mapper, vtkPolyDat
       const glm::dvec3 along = sizes->GetComponent(i, 0) * GetVector(directions, i);
       const double radius = sizes->GetComponent(i, 1);
       const double length = glm::length(along);
-      if (length > 0.0 && radius > 0.0)
+      if (length > 0.0 && radius > 0.0 && isThere(i))
       {
         // Any two axes across; the longest component of `along` leaves another axis well clear of it.
         const glm::dvec3 axis =
@@ -194,7 +207,8 @@ vtkSmartPointer<vtkPolyData> MakeSticks(vtkOpenGLStickMapper* mapper, vtkPolyDat
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> MakeGaussians(vtkPointGaussianMapper* mapper, vtkPolyData* input)
+vtkSmartPointer<vtkPolyData> MakeGaussians(
+  vtkPointGaussianMapper* mapper, vtkPolyData* input, double threshold)
 {
   std::vector<vtkIdType> places;
   if (!mapper->GetEmissive() && mapper->GetScaleFactor() > 0.0)
@@ -218,9 +232,14 @@ vtkSmartPointer<vtkPolyData> MakeGaussians(vtkPointGaussianMapper* mapper, vtkPo
   const std::string splat = mapper->GetSplatShaderCode() ? mapper->GetSplatShaderCode() : "";
   // exp(-r^2 / 2) is a half at this r; a shader of the user's is taken to fill its radius.
   const double edge = splat.empty() ? std::sqrt(2.0 * std::log(2.0)) : 1.0;
+  const auto isThere = GetPresence(mapper, input, threshold);
   return MakeSpheres(input, places,
     [=](vtkIdType i)
     {
+      if (!isThere(i))
+      {
+        return 0.0;
+      }
       double size = 1.0;
       if (scales)
       {
@@ -362,7 +381,7 @@ glm::dvec3 GetScale(vtkGlyph3DMapper* mapper, vtkDataArray* array, vtkIdType i)
   return scale * mapper->GetScaleFactor();
 }
 
-vtkSmartPointer<vtkPolyData> MakeGlyphs(vtkGlyph3DMapper* mapper)
+vtkSmartPointer<vtkPolyData> MakeGlyphs(vtkGlyph3DMapper* mapper, double threshold)
 {
   std::vector<std::vector<vtkSmartPointer<vtkPolyData>>> sources;
   for (const auto& parts : GetSources(mapper))
@@ -381,9 +400,10 @@ vtkSmartPointer<vtkPolyData> MakeGlyphs(vtkGlyph3DMapper* mapper)
     vtkDataArray* scales = (mapper->*Glyph3D::Scale)(data);
     auto* mask =
       mapper->GetMasking() ? vtkBitArray::SafeDownCast((mapper->*Glyph3D::Mask)(data)) : nullptr;
+    const auto isThere = GetPresence(mapper, data, threshold);
     for (vtkIdType i = 0; i < data->GetNumberOfPoints() && !sources.empty(); ++i)
     {
-      if (mask && mask->GetValue(i) == 0)
+      if ((mask && mask->GetValue(i) == 0) || !isThere(i))
       {
         continue;
       }
@@ -476,26 +496,44 @@ vtkMTimeType vtkShadowGlyphs::GetShapeTime(vtkMapper* mapper)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> vtkShadowGlyphs::Make(vtkMapper* mapper)
+vtkMTimeType vtkShadowGlyphs::GetAlphaTime(vtkMapper* mapper)
+{
+  vtkMTimeType time = 0;
+  if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper))
+  {
+    for (vtkDataSet* data : GetShown(glyphs))
+    {
+      time = std::max(time, vtkShadowAlpha::FindColors(mapper, data).Time);
+    }
+  }
+  else if (auto* input = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)))
+  {
+    time = vtkShadowAlpha::FindColors(mapper, input).Time;
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> vtkShadowGlyphs::Make(vtkMapper* mapper, double threshold)
 {
   if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper))
   {
-    return MakeGlyphs(glyphs);
+    return MakeGlyphs(glyphs, threshold);
   }
   auto* input = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
   if (input && input->GetPoints())
   {
     if (auto* spheres = vtkOpenGLSphereMapper::SafeDownCast(mapper))
     {
-      return MakeSphereImposters(spheres, input);
+      return MakeSphereImposters(spheres, input, threshold);
     }
     if (auto* sticks = vtkOpenGLStickMapper::SafeDownCast(mapper))
     {
-      return MakeSticks(sticks, input);
+      return MakeSticks(sticks, input, threshold);
     }
     if (auto* points = vtkPointGaussianMapper::SafeDownCast(mapper))
     {
-      return MakeGaussians(points, input);
+      return MakeGaussians(points, input, threshold);
     }
   }
   return vtkSmartPointer<vtkPolyData>::New();

@@ -17,8 +17,13 @@ bool IsMadeBy(vtkMapper* mapper);
 bool IsRepresented(vtkMapper* mapper);
 /** When the shape last changed: places, sizes, directions, sources and settings, not colours. */
 vtkMTimeType GetShapeTime(vtkMapper* mapper);
-/** The polygons in model coordinates; without any where it draws nothing that has an area. */
-vtkSmartPointer<vtkPolyData> Make(vtkMapper* mapper);
+/** When their colours' alpha last changed; 0 where all are opaque. */
+vtkMTimeType GetAlphaTime(vtkMapper* mapper);
+/**
+ * The polygons in model coordinates; without any where it draws nothing that has an area. What has
+ * a colour of alpha below a threshold is left out.
+ */
+vtkSmartPointer<vtkPolyData> Make(vtkMapper* mapper, double threshold);
 }
 
 #endif

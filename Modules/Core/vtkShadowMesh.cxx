@@ -2,17 +2,22 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
+#include "vtkFloatArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkShadowAlpha.h"
 #include "vtkTriangleFilter.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace
 {
@@ -61,6 +66,65 @@ void FindPlane(vtkShadowMesh& mesh)
     mesh.Sheet = mesh.Sheet && distance <= rounding;
   }
 }
+
+/** Tells the triangles of a mesh that alpha leaves nothing of, and those that have holes. */
+class HoleFinder
+{
+public:
+  HoleFinder(
+    vtkPolyData* source, std::shared_ptr<const vtkShadowAlphaMap> map, float threshold)
+    : Places(vtkFloatArray::SafeDownCast(
+        source->GetPointData()->GetArray(vtkShadowAlpha::ArrayName)))
+    , Map(std::move(map))
+    , Threshold(threshold)
+  {
+  }
+  /** Whether a triangle of points is one hole. */
+  bool IsClear(const vtkIdType* ids)
+  {
+    if (!this->Places)
+    {
+      return false;
+    }
+    std::array<const float*, 3> corners;
+    for (int k = 0; k < 3; ++k)
+    {
+      corners[k] = this->Places->GetPointer(3 * ids[k]);
+    }
+    const auto alpha = std::minmax({ corners[0][2], corners[1][2], corners[2][2] });
+    if (alpha.second < this->Threshold ||
+        (this->Map && this->Map->IsBelow(this->Threshold / alpha.second, corners)))
+    {
+      return true;
+    }
+    const float least = alpha.first * (this->Map ? this->Map->Minimum : 1.0f);
+    this->Found = this->Found || least < this->Threshold;
+    return false;
+  }
+  /** The holes of the triangles that were asked for, by their points. */
+  std::shared_ptr<const vtkShadowHoles> Get(const std::vector<vtkIdType>& points) const
+  {
+    if (!this->Found)
+    {
+      return nullptr;
+    }
+    auto holes = std::make_shared<vtkShadowHoles>();
+    for (const vtkIdType id : points)
+    {
+      const float* place = this->Places->GetPointer(3 * id);
+      holes->Places.insert(holes->Places.end(), place, place + 3);
+    }
+    holes->Map = this->Map;
+    holes->Threshold = this->Threshold;
+    return holes;
+  }
+
+private:
+  vtkFloatArray* Places;
+  std::shared_ptr<const vtkShadowAlphaMap> Map;
+  float Threshold;
+  bool Found = false;
+};
 }
 
 //------------------------------------------------------------------------------
@@ -97,7 +161,18 @@ vtkSmartPointer<vtkPolyData> vtkShadowMesh::Triangulate(vtkPolyData* source)
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<const vtkShadowMesh> vtkShadowMesh::Make(vtkPolyData* source)
+bool vtkShadowMesh::IsSame(const vtkShadowMesh& other) const
+{
+  const bool sameHoles =
+    this->Holes == other.Holes || (this->Holes && other.Holes && *this->Holes == *other.Holes);
+  return sameHoles && this->Centre == other.Centre && this->Positions == other.Positions &&
+         this->Indices == other.Indices && this->Dropped == other.Dropped &&
+         this->NotFinite == other.NotFinite && this->Clear == other.Clear;
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const vtkShadowMesh> vtkShadowMesh::Make(
+  vtkPolyData* source, std::shared_ptr<const vtkShadowAlphaMap> map, float threshold)
 {
   auto mesh = std::make_shared<vtkShadowMesh>();
   if (!source->GetPoints() || source->GetNumberOfPolys() + source->GetNumberOfStrips() == 0)
@@ -106,6 +181,8 @@ std::shared_ptr<const vtkShadowMesh> vtkShadowMesh::Make(vtkPolyData* source)
   }
   const vtkSmartPointer<vtkPolyData> triangles = Triangulate(source);
   vtkPoints* points = triangles->GetPoints();
+
+  HoleFinder holes(source, std::move(map), threshold);
 
   // First the triangles that can cast, in the source's numbering, then their vertices alone.
   std::vector<vtkIdType> kept;
@@ -128,7 +205,14 @@ std::shared_ptr<const vtkShadowMesh> vtkShadowMesh::Make(vtkPolyData* source)
       if (finite && longest > 0.0 &&
           glm::length(glm::cross((b - a) / longest, (c - a) / longest)) > 0.0)
       {
-        kept.insert(kept.end(), ids, ids + 3);
+        if (holes.IsClear(ids))
+        {
+          ++mesh->Clear;
+        }
+        else
+        {
+          kept.insert(kept.end(), ids, ids + 3);
+        }
         continue;
       }
     }
@@ -152,11 +236,13 @@ std::shared_ptr<const vtkShadowMesh> vtkShadowMesh::Make(vtkPolyData* source)
   mesh->Maximum = maximum - mesh->Centre;
 
   std::vector<std::uint32_t> number(triangles->GetNumberOfPoints(), Unused);
+  std::vector<vtkIdType> used; // points, by their number in the mesh
   mesh->Indices.reserve(kept.size());
   for (const vtkIdType id : kept)
   {
     if (number[id] == Unused)
     {
+      used.push_back(id);
       number[id] = static_cast<std::uint32_t>(mesh->Positions.size() / 3);
       const glm::dvec3 p = GetPoint(points, id) - mesh->Centre;
       for (int c = 0; c < 3; ++c)
@@ -180,5 +266,6 @@ std::shared_ptr<const vtkShadowMesh> vtkShadowMesh::Make(vtkPolyData* source)
   mesh->Positions.push_back(0.0f);
   mesh->Positions.shrink_to_fit();
   FindPlane(*mesh);
+  mesh->Holes = holes.Get(used);
   return mesh;
 }

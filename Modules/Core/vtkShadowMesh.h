@@ -3,6 +3,7 @@
 #ifndef vtkShadowMesh_h
 #define vtkShadowMesh_h
 
+#include "vtkShadowAlphaMap.h"        // For vtkShadowHoles
 #include "vtkSmartPointer.h"          // For triangles
 #include "vtkSoftShadowsCoreModule.h" // For export macro
 #include "vtkType.h"                  // For vtkMTimeType
@@ -31,16 +32,26 @@ struct VTKSOFTSHADOWSCORE_EXPORT vtkShadowMesh
   bool Sheet = false;           // flat, and surely no body, however far from the model's origin
   std::size_t Dropped = 0;      // triangles that were degenerate or not finite
   std::size_t NotFinite = 0;    // those of them that were not finite
+  std::size_t Clear = 0;        // triangles that were left out because alpha makes them one hole
+  /** Holes by alpha within the triangles; nullptr where there are none. */
+  std::shared_ptr<const vtkShadowHoles> Holes;
 
   std::size_t GetNumberOfVertices() const { return this->Positions.size() / 3; }
   std::size_t GetNumberOfTriangles() const { return this->Indices.size() / 3; }
 
-  /** Polygons and strips of a vtkPolyData, triangulated. Vertices that no triangle uses go. */
-  static std::shared_ptr<const vtkShadowMesh> Make(vtkPolyData* source);
+  /**
+   * Polygons and strips of a vtkPolyData, triangulated. Vertices that no triangle uses go. With the
+   * array of vtkShadowAlpha, they have holes where alpha times a map's is below a threshold.
+   */
+  static std::shared_ptr<const vtkShadowMesh> Make(vtkPolyData* source,
+    std::shared_ptr<const vtkShadowAlphaMap> map = nullptr, float threshold = 0.0f);
   /** Its polygons and strips as triangles, by VTK; itself where it has no others. */
   static vtkSmartPointer<vtkPolyData> Triangulate(vtkPolyData* source);
   /** When the shape last changed: points and connectivity, not colours. */
   static vtkMTimeType GetShapeTime(vtkPolyData* source);
+
+  /** Whether it casts the same: triangles and holes. */
+  bool IsSame(const vtkShadowMesh& other) const;
 };
 
 #endif

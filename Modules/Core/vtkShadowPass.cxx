@@ -198,7 +198,8 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
     rule == "off"      ? vtkTranslucentCasters::Off
     : rule == "opaque" ? vtkTranslucentCasters::Opaque
                        : vtkTranslucentCasters::Weighted,
-    Internals::MaximumLights / static_cast<int>(frame.Lights.size()) - 1);
+    Internals::MaximumLights / static_cast<int>(frame.Lights.size()) - 1,
+    this->GetReal("alpha-threshold"));
   this->SplitLights();
   frame.Counts["casters"] = static_cast<double>(my.Casters.Get().size());
   frame.Counts["castersRebuilt"] = changed ? 1 : 0;
@@ -209,6 +210,14 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
   {
     this->WarnOnce(
       std::to_string(count) + " triangles have points that are not finite: they cast no shadow.");
+  }
+  frame.Counts["trianglesClear"] = static_cast<double>(my.Casters.GetNumberOfClearTriangles());
+  frame.Counts["castersWithHoles"] = static_cast<double>(my.Casters.GetNumberWithHoles());
+  if (const std::size_t count = my.Casters.GetNumberOfUnknownAlphas())
+  {
+    this->WarnOnce(std::to_string(count) +
+                   " props have alpha in several textures at once, in a texture of glyphs or in an "
+                   "image slice: it makes no holes in what they cast.");
   }
   if (frame.Counts["triangles"] == 0)
   {

@@ -80,6 +80,10 @@ const std::vector<vtkShadowParameter>& vtkShadowPass::GetCommonParameters()
       "block's) opacity; of several in a row the most opaque counts. Weighted costs one evaluation "
       "more for each opacity that occurs",
       {} },
+    { "alpha-threshold", Type::Real, "0.5", 0, 1, {}, "",
+      "Where the alpha of a prop's own texture and colours (not its property's opacity) is below "
+      "this, it has a hole that light passes; elsewhere it casts. 0: no holes",
+      {} },
   };
   return parameters;
 }

@@ -10,6 +10,7 @@
 #include "vtkDataSet.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkGlyph3DMapper.h"
+#include "vtkImageData.h"
 #include "vtkImageMapper3D.h"
 #include "vtkImageProperty.h"
 #include "vtkImageSlice.h"
@@ -19,9 +20,13 @@
 #include "vtkNew.h"
 #include "vtkPlane.h"
 #include "vtkPlaneSource.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkScalarsToColors.h"
+#include "vtkShadowAlpha.h"
+#include "vtkShadowAlphaMap.h"
 #include "vtkShadowGlyphs.h"
 #include "vtkShadowMesh.h"
 #include "vtkShadowVTKVersion.h"
@@ -33,6 +38,7 @@
 namespace
 {
 using Function = std::function<void(const vtkShadowSurface&)>;
+using Maker = std::function<vtkSmartPointer<vtkPolyData>(double threshold)>;
 
 /** The mapper's clipping planes in model coordinates. */
 std::vector<double> GetPlanes(vtkAbstractMapper3D* mapper, vtkMatrix4x4* matrix)
@@ -55,10 +61,14 @@ vtkSmartPointer<vtkPolyData> Clip(
     vtkNew<vtkPlane> plane;
     plane->SetNormal(p[0], p[1], p[2]);
     plane->SetOrigin(-p[3] * p[0] / length2, -p[3] * p[1] / length2, -p[3] * p[2] / length2);
-    vtkNew<vtkPolyData> shape; // without the data that would be interpolated
+    vtkNew<vtkPolyData> shape; // without other data that would be interpolated
     shape->SetPoints(polygons->GetPoints());
     shape->SetPolys(polygons->GetPolys());
     shape->SetStrips(polygons->GetStrips());
+    if (vtkDataArray* alpha = polygons->GetPointData()->GetArray(vtkShadowAlpha::ArrayName))
+    {
+      shape->GetPointData()->AddArray(alpha);
+    }
     vtkNew<vtkClipPolyData> clip;
     clip->SetInputData(shape);
     clip->SetClipFunction(plane);
@@ -68,9 +78,39 @@ vtkSmartPointer<vtkPolyData> Clip(
   return polygons;
 }
 
+/** Whether an actor is translucent by its property, or made so. */
+bool IsTranslucent(vtkActor* actor)
+{
+  return actor->GetForceTranslucent() ||
+         (!actor->GetForceOpaque() && actor->GetProperty()->GetOpacity() < 1.0);
+}
+
+/** Give the surface of data the alpha that its actor and mapper draw it with. */
+Maker AddAlpha(vtkShadowSurface& surface, vtkActor* actor, vtkDataSet* data,
+  std::function<vtkSmartPointer<vtkPolyData>()> make)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  const vtkShadowAlpha alpha = vtkShadowAlpha::Find(actor, mapper, data);
+  surface.AlphaTime = alpha.Time;
+  surface.AlphaUnknown = alpha.Unknown;
+  surface.Translucent =
+    surface.Translucent || (alpha.Unknown && actor->HasTranslucentPolygonalGeometry());
+  surface.From.Mapper = alpha.Colors ? mapper : nullptr;
+  surface.From.Texture = alpha.Texture;
+  surface.Map = alpha.LookedUp ? static_cast<const void*>(mapper) : alpha.Texture;
+  surface.MapTime = alpha.MapTime;
+  surface.MakeMap = [alpha, mapper, data] { return alpha.MakeMap(mapper, data); };
+  if (alpha.Time == 0)
+  {
+    return [make = std::move(make)](double) { return make(); };
+  }
+  return [alpha, mapper, make = std::move(make)](double threshold)
+  { return alpha.Apply(mapper, make(), threshold); };
+}
+
 /** Give the surface its clipping planes, and hand it on. */
-void HandOn(vtkShadowSurface& surface, vtkMapper* mapper, vtkMatrix4x4* matrix,
-  std::function<vtkSmartPointer<vtkPolyData>()> make, const Function& function)
+void HandOn(vtkShadowSurface& surface, vtkMapper* mapper, vtkMatrix4x4* matrix, Maker make,
+  const Function& function)
 {
   surface.From.Details = GetPlanes(mapper, matrix);
   if (surface.From.Details.empty())
@@ -79,21 +119,15 @@ void HandOn(vtkShadowSurface& surface, vtkMapper* mapper, vtkMatrix4x4* matrix,
   }
   else
   {
-    surface.MakePolygons = [planes = surface.From.Details, make = std::move(make)]
-    { return Clip(make(), planes); };
+    surface.MakePolygons = [planes = surface.From.Details, make = std::move(make)](
+                             double threshold) { return Clip(make(threshold), planes); };
   }
   function(surface);
 }
 
-/** What a block takes from the blocks it lies in, as the composite mapper has it. */
-struct BlockState
-{
-  double Opacity;
-  bool Translucent; // for another reason than the opacity
-};
-
+/** Blocks take visibility and opacity from those they lie in, as the composite mapper has it. */
 void ForEachBlock(vtkDataObject* block, vtkCompositeDataDisplayAttributes* attributes, bool visible,
-  BlockState state, const std::function<void(vtkPolyData*, const BlockState&)>& function)
+  double opacity, const std::function<void(vtkPolyData*, double)>& function)
 {
   if (attributes && attributes->HasBlockVisibility(block))
   {
@@ -101,7 +135,7 @@ void ForEachBlock(vtkDataObject* block, vtkCompositeDataDisplayAttributes* attri
   }
   if (attributes && attributes->HasBlockOpacity(block))
   {
-    state.Opacity = attributes->GetBlockOpacity(block);
+    opacity = attributes->GetBlockOpacity(block);
   }
   if (auto* tree = vtkDataObjectTree::SafeDownCast(block))
   {
@@ -109,7 +143,7 @@ void ForEachBlock(vtkDataObject* block, vtkCompositeDataDisplayAttributes* attri
     {
       if (child)
       {
-        ForEachBlock(child, attributes, visible, state, function);
+        ForEachBlock(child, attributes, visible, opacity, function);
       }
     }
   }
@@ -117,7 +151,7 @@ void ForEachBlock(vtkDataObject* block, vtkCompositeDataDisplayAttributes* attri
   {
     if (visible)
     {
-      function(polygons, state);
+      function(polygons, opacity);
     }
   }
 }
@@ -133,7 +167,7 @@ void ForEachSurfaceOfActor(vtkActor* actor, vtkMatrix4x4* matrix, const Function
   mapper->GetInputAlgorithm()->Update();
   vtkDataObject* input = mapper->GetInputDataObject(0, 0);
   vtkShadowSurface surface;
-  surface.Translucent = actor->HasTranslucentPolygonalGeometry() != 0;
+  surface.Translucent = IsTranslucent(actor);
   surface.Opacity = actor->GetProperty()->GetOpacity();
   if (vtkShadowGlyphs::IsMadeBy(mapper))
   {
@@ -144,8 +178,11 @@ void ForEachSurfaceOfActor(vtkActor* actor, vtkMatrix4x4* matrix, const Function
       surface.From.Input = input;
       surface.From.Mapper = mapper;
       surface.Time = vtkShadowGlyphs::GetShapeTime(mapper);
+      surface.AlphaTime = vtkShadowGlyphs::GetAlphaTime(mapper);
+      surface.AlphaUnknown = actor->GetTexture() && actor->GetTexture()->IsTranslucent();
       HandOn(
-        surface, mapper, matrix, [mapper] { return vtkShadowGlyphs::Make(mapper); }, function);
+        surface, mapper, matrix,
+        [mapper](double threshold) { return vtkShadowGlyphs::Make(mapper, threshold); }, function);
     }
     return;
   }
@@ -157,13 +194,14 @@ void ForEachSurfaceOfActor(vtkActor* actor, vtkMatrix4x4* matrix, const Function
       surface.Time = data->GetMTime();
       HandOn(
         surface, mapper, matrix,
-        [data]
-        {
-          vtkNew<vtkDataSetSurfaceFilter> skin;
-          skin->SetInputData(data);
-          skin->Update();
-          return vtkSmartPointer<vtkPolyData>(skin->GetOutput());
-        },
+        AddAlpha(surface, actor, data,
+          [data]
+          {
+            vtkNew<vtkDataSetSurfaceFilter> skin;
+            skin->SetInputData(data);
+            skin->Update();
+            return vtkSmartPointer<vtkPolyData>(skin->GetOutput());
+          }),
         function);
     }
     return;
@@ -175,19 +213,16 @@ void ForEachSurfaceOfActor(vtkActor* actor, vtkMatrix4x4* matrix, const Function
   }
   auto* composite = vtkShadowCompositeMapper::SafeDownCast(mapper);
   auto* attributes = composite ? composite->GetCompositeDataDisplayAttributes() : nullptr;
-  const bool blocksAreTranslucent = attributes && attributes->HasBlockOpacities();
-  const BlockState state{ surface.Opacity,
-    surface.Translucent && surface.Opacity >= 1.0 && !blocksAreTranslucent };
-  ForEachBlock(input, attributes, true, state,
-    [&](vtkPolyData* polygons, const BlockState& block)
+  ForEachBlock(input, attributes, true, surface.Opacity,
+    [&](vtkPolyData* polygons, double opacity)
     {
       surface.From.Input = polygons;
-      surface.From.Mapper = nullptr;
       surface.Time = vtkShadowMesh::GetShapeTime(polygons);
-      surface.Opacity = block.Opacity;
-      surface.Translucent = block.Translucent || block.Opacity < 1.0;
-      HandOn(
-        surface, mapper, matrix, [polygons] { return vtkSmartPointer<vtkPolyData>(polygons); },
+      surface.Opacity = opacity;
+      surface.Translucent = opacity < 1.0 || actor->GetForceTranslucent();
+      HandOn(surface, mapper, matrix,
+        AddAlpha(
+          surface, actor, polygons, [polygons] { return vtkSmartPointer<vtkPolyData>(polygons); }),
         function);
     });
 }
@@ -220,12 +255,17 @@ void ForEachSurfaceOfSlice(vtkImageSlice* slice, const Function& function)
   const std::array<double, 6> box = { bounds[0], bounds[1], bounds[2], bounds[3], bounds[4],
     bounds[5] };
   vtkShadowSurface surface;
-  surface.From.Input = mapper->GetInputDataObject(0, 0);
+  auto* image = vtkImageData::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  vtkDataArray* scalars = image ? image->GetPointData()->GetScalars() : nullptr;
+  vtkScalarsToColors* table = slice->GetProperty()->GetLookupTable();
+  surface.AlphaUnknown = scalars && (scalars->GetNumberOfComponents() % 2 == 0 ||
+                                      (table && !table->IsOpaque()));
+  surface.From.Input = image;
   surface.From.Mapper = mapper;
   surface.From.Details.assign(box.begin(), box.end()); // which is all that counts
   surface.Opacity = slice->GetProperty()->GetOpacity();
   surface.Translucent = surface.Opacity < 1.0 || slice->HasTranslucentPolygonalGeometry() != 0;
-  surface.MakePolygons = [box, flat]
+  surface.MakePolygons = [box, flat](double)
   {
     double corners[3][3];
     for (int axis = 0; axis < 3; ++axis)

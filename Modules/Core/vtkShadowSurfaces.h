@@ -9,7 +9,8 @@
 //   image slices             along an axis of the image: rectangles
 //
 // What a mapper's clipping planes cut away is cut away, hidden blocks are left out, and what has no
-// area (lines, points, wireframes) has no polygons. Polygons are in model coordinates.
+// area (lines, points, wireframes) has no polygons. Polygons are in model coordinates. Where the alpha
+// of colours or a texture makes holes in a surface, see vtkShadowAlpha.h.
 
 #ifndef vtkShadowSurfaces_h
 #define vtkShadowSurfaces_h
@@ -18,6 +19,7 @@
 #include "vtkType.h"         // For vtkMTimeType
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -25,6 +27,7 @@
 class vtkMatrix4x4;
 class vtkPolyData;
 class vtkProp;
+struct vtkShadowAlphaMap;
 
 struct vtkShadowSurface
 {
@@ -32,12 +35,13 @@ struct vtkShadowSurface
   struct Origin
   {
     const void* Input = nullptr;
-    const void* Mapper = nullptr; // nullptr where it changes nothing
+    const void* Mapper = nullptr;  // nullptr where it changes nothing
+    const void* Texture = nullptr; // that has alpha
     std::vector<double> Details;  // clipping planes, four coefficients each; a slice's box
     bool operator<(const Origin& other) const
     {
-      return std::tie(this->Input, this->Mapper, this->Details) <
-             std::tie(other.Input, other.Mapper, other.Details);
+      return std::tie(this->Input, this->Mapper, this->Texture, this->Details) <
+             std::tie(other.Input, other.Mapper, other.Texture, other.Details);
     }
   };
   Origin From;
@@ -46,10 +50,19 @@ struct vtkShadowSurface
    * polygons apart, even after their source is gone.
    */
   vtkMTimeType Time = 0;
+  /** When its alpha, without its opacity, last changed; 0 where all of it is opaque. */
+  vtkMTimeType AlphaTime = 0;
+  /** It has alpha that is not known, and casts without. */
+  bool AlphaUnknown = false;
+  /** By its property, or the block; alpha of colours and textures makes holes instead. */
   bool Translucent = false;
-  /** Of the property or the block; translucent colours and textures do not count. */
   double Opacity = 1.0;
-  std::function<vtkSmartPointer<vtkPolyData>()> MakePolygons;
+  /** Without what is seen to have an alpha below a threshold. */
+  std::function<vtkSmartPointer<vtkPolyData>(double threshold)> MakePolygons;
+  /** What its alpha is looked up in, made from Map as of that time; nullptr: in nothing. */
+  const void* Map = nullptr;
+  vtkMTimeType MapTime = 0;
+  std::function<std::shared_ptr<const vtkShadowAlphaMap>()> MakeMap;
 };
 
 /**

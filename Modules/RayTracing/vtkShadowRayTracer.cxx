@@ -74,6 +74,24 @@ struct Patterns
 };
 }
 
+namespace
+{
+/** Rays go on through holes: called for each hit on a mesh that has some. */
+void PassHoles(const RTCFilterFunctionNArguments* arguments)
+{
+  const auto& mesh = *static_cast<const vtkShadowMesh*>(arguments->geometryUserPtr);
+  for (unsigned int i = 0; i < arguments->N; ++i)
+  {
+    if (arguments->valid[i] == -1 &&
+      mesh.Holes->IsHole(&mesh.Indices[3 * RTCHitN_primID(arguments->hit, arguments->N, i)],
+        RTCHitN_u(arguments->hit, arguments->N, i), RTCHitN_v(arguments->hit, arguments->N, i)))
+    {
+      arguments->valid[i] = 0;
+    }
+  }
+}
+}
+
 class vtkShadowRayTracer::Internals
 {
 public:
@@ -97,6 +115,11 @@ public:
       mesh.Positions.data(), 0, 3 * sizeof(float), mesh.GetNumberOfVertices());
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
       mesh.Indices.data(), 0, 3 * sizeof(std::uint32_t), mesh.GetNumberOfTriangles());
+    if (mesh.Holes)
+    {
+      rtcSetGeometryUserData(geometry, const_cast<vtkShadowMesh*>(&mesh));
+      rtcSetGeometryOccludedFilterFunction(geometry, PassHoles);
+    }
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene, geometry);
     rtcReleaseGeometry(geometry);

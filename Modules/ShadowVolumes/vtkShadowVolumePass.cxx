@@ -43,6 +43,12 @@ bool vtkShadowVolumePass::UpdateLightData(vtkShadowFrame& frame)
     settings.MemoryLimit = static_cast<std::size_t>(this->GetReal("memory") * 1048576.0);
   }
   this->Volumes->Update(frame, settings);
+  if (const std::size_t count = frame.Casters->GetNumberWithHoles())
+  {
+    this->WarnOnce(std::to_string(count) +
+                   " casters have holes by alpha within their triangles, which silhouettes do not "
+                   "know: only triangles that are clear all over cast nothing.");
+  }
   return true;
 }
 

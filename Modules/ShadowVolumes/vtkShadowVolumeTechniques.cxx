@@ -42,7 +42,9 @@ vtkShadowTechniqueAutoInit(VTKSOFTSHADOWSSHADOWVOLUMES_EXPORT, vtkSoftShadowsSha
       "lie behind each other.",
       "Single pixels at silhouettes that light and eye share can be darker or lighter than the "
       "truth.",
-      "Translucent surfaces receive no shadow." };
+      "Translucent surfaces receive no shadow.",
+      "Holes by alpha (alpha-threshold) within triangles cast as if they were filled; triangles "
+      "that are clear all over cast nothing." };
     return t;
   }
 

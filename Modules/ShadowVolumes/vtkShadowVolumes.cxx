@@ -359,6 +359,7 @@ bool vtkShadowVolumes::IsLookedInto(const vtkShadowCaster& caster) const
         (clipping && clipping->GetNumberOfItems() > 0) ||
         actor->HasTranslucentPolygonalGeometry() ||
         actor->GetMapper()->IsA("vtkPointGaussianMapper") ||
+        caster.Mesh->Holes || caster.Mesh->Clear > 0 ||
         caster.Mesh->NotFinite > 0) // VTK culls what has such bounds
     {
       return true;

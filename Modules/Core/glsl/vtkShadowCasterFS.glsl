@@ -2,6 +2,9 @@
 
 // Depth alone is wanted.
 
+//VTK::ShadowHoles::Dec
+
 void main()
 {
+  //VTK::ShadowHoles::Impl
 }

@@ -6,7 +6,10 @@ in vec3 vertexMC;
 
 uniform mat4 MCToClip;
 
+//VTK::ShadowHoles::Dec
+
 void main()
 {
   gl_Position = MCToClip * vec4(vertexMC, 1.0);
+  //VTK::ShadowHoles::Impl
 }

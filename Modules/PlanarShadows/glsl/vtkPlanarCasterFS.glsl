@@ -4,9 +4,12 @@
 
 //VTK::Output::Dec
 
+//VTK::ShadowHoles::Dec
+
 #if defined(SHADOW_MASK)
 void main()
 {
+  //VTK::ShadowHoles::Impl
   gl_FragData[0] = vec4(0.0);
 }
 #elif defined(SHADOW_SHARE)
@@ -14,6 +17,7 @@ uniform vec3 shadowWeight; // of the light's sample
 
 void main()
 {
+  //VTK::ShadowHoles::Impl
   gl_FragData[0] = vec4(-shadowWeight, 0.0);
 }
 #else
@@ -26,6 +30,7 @@ uniform float shadowSpread; // the most
 // next to the plane stays. It bounds the penumbra: behind it, the others are hidden.
 void main()
 {
+  //VTK::ShadowHoles::Impl
   float share = min(shadowHeightVSOutput, 0.999);
   float spread = max(share, 0.0) / (1.0 - shadowHeightLimits.y * share);
   gl_FragData[0] = vec4(1.0, 1.0 - min(spread / shadowSpread, 1.0), 0.0, 1.0);

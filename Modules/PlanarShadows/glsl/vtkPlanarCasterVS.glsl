@@ -11,6 +11,8 @@ uniform vec2 shadowHeightLimits; // x: the least; y: 1 where the light is at a h
 
 out float shadowHeightVSOutput;
 
+//VTK::ShadowHoles::Dec
+
 void main()
 {
   float height = dot(shadowHeightMC, vec4(vertexMC, 1.0));
@@ -18,4 +20,5 @@ void main()
   gl_ClipDistance[0] = height - shadowHeightLimits.x;
   gl_ClipDistance[1] = 1.0 - shadowHeightLimits.y * height;
   gl_Position = MCToClip * vec4(vertexMC, 1.0);
+  //VTK::ShadowHoles::Impl
 }

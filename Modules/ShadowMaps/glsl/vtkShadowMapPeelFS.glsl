@@ -5,6 +5,8 @@
 
 //VTK::Output::Dec
 
+//VTK::ShadowHoles::Dec
+
 uniform bool shadowSheet; // the casters are flat: no face of theirs ends a body
 
 #ifdef SHADOW_SECOND
@@ -14,6 +16,7 @@ uniform sampler2DArray shadowFirstSide;
 
 void main()
 {
+  //VTK::ShadowHoles::Impl
   float side = shadowSheet ? 0.5 : (gl_FrontFacing ? 1.0 : 0.0);
 #ifdef SHADOW_SECOND
   ivec3 texel = ivec3(ivec2(gl_FragCoord.xy), 0);
