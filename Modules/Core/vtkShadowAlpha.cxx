@@ -285,12 +285,13 @@ vtkShadowAlpha vtkShadowAlpha::FindColors(vtkMapper* mapper, vtkDataSet* data)
 vtkShadowAlpha vtkShadowAlpha::Find(vtkActor* actor, vtkMapper* mapper, vtkDataSet* data)
 {
   vtkShadowAlpha alpha = FindColors(mapper, data);
+  vtkProperty* property = actor->GetProperty();
   vtkDataArray* coordinates = data->GetPointData()->GetTCoords();
-  if (!coordinates || coordinates->GetNumberOfComponents() > 2)
+  if ((!actor->GetTexture() && property->GetNumberOfTextures() == 0) || !coordinates ||
+      coordinates->GetNumberOfComponents() > 2)
   {
     return alpha;
   }
-  vtkProperty* property = actor->GetProperty();
   const bool physical = property->GetInterpolation() == VTK_PBR && property->GetLighting();
   const std::set<vtkTexture*> textures = GetTextures(actor, physical);
   const bool translucent = std::any_of(textures.begin(), textures.end(), HasAlpha);

@@ -16,6 +16,7 @@
 #include "vtkShadowHolesFS.h"
 #include "vtkShadowHolesVS.h"
 #include "vtkShadowLight.h"
+#include "vtkShadowMeshes.h"
 #include "vtkShadowPass.h"
 #include "vtkShadowSurfaces.h"
 #include "vtkShadowVTKVersion.h"
@@ -211,76 +212,9 @@ double vtkShadowCaster::GetRadius() const
          std::max({ glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]) });
 }
 
-/** Meshes that are in use, and when their shape and their alpha last changed. */
-struct vtkShadowCasters::Known
-{
-  struct Entry
-  {
-    vtkMTimeType Time = 0;
-    vtkMTimeType AlphaTime = 0;
-    double Threshold = 0.0; // where there is alpha
-    std::shared_ptr<const vtkShadowMesh> Mesh;
-  };
-  struct MapEntry
-  {
-    vtkMTimeType Time = 0;
-    std::shared_ptr<const vtkShadowAlphaMap> Map;
-  };
-  std::map<vtkShadowSurface::Origin, Entry> Entries;
-  std::map<const void*, MapEntry> Maps; // by what they are made of
-
-  /** The mesh of a surface, kept from before if it is still the same. */
-  const Entry& Find(const vtkShadowSurface& surface, double threshold, const Known& before)
-  {
-    Entry& entry = this->Entries[surface.From];
-    if (entry.Mesh)
-    {
-      return entry;
-    }
-    const auto old = before.Entries.find(surface.From);
-    const Entry* last = old != before.Entries.end() ? &old->second : nullptr;
-    entry.Time = surface.Time;
-    entry.AlphaTime = surface.AlphaTime;
-    entry.Threshold = surface.AlphaTime > 0 ? threshold : 0.0;
-    const bool sameShape = last && last->Time == entry.Time;
-    std::shared_ptr<const vtkShadowAlphaMap> map;
-    if (surface.Map)
-    {
-      map = this->FindMap(surface, before);
-    }
-    if (sameShape && last->AlphaTime == entry.AlphaTime && last->Threshold == entry.Threshold)
-    {
-      entry.Mesh = last->Mesh;
-      return entry;
-    }
-    // What is exactly as low as the threshold is there, also when it is interpolated.
-    const double least = entry.Threshold - 1e-5;
-    entry.Mesh = vtkShadowMesh::Make(surface.MakePolygons(least), map, static_cast<float>(least));
-    if (sameShape && entry.Mesh->IsSame(*last->Mesh))
-    {
-      entry.Mesh = last->Mesh; // other colours, the same holes
-    }
-    return entry;
-  }
-
-private:
-  std::shared_ptr<const vtkShadowAlphaMap> FindMap(
-    const vtkShadowSurface& surface, const Known& before)
-  {
-    MapEntry& entry = this->Maps[surface.Map];
-    if (entry.Time != surface.MapTime)
-    {
-      const auto old = before.Maps.find(surface.Map);
-      const bool same = old != before.Maps.end() && old->second.Time == surface.MapTime;
-      entry = same ? old->second : MapEntry{ surface.MapTime, surface.MakeMap() };
-    }
-    return entry.Map;
-  }
-};
-
 //------------------------------------------------------------------------------
 vtkShadowCasters::vtkShadowCasters()
-  : Meshes(new Known)
+  : Meshes(new vtkShadowMeshes)
 {
 }
 
@@ -292,7 +226,7 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer, vtkTranslucentCasters trans
   double alphaThreshold)
 {
   this->UnknownAlphas = 0;
-  Known known; // of this time; what is in it no more is forgotten
+  vtkShadowMeshes known; // of this time; what is in it no more is forgotten
   std::vector<Placed> placed;
   std::vector<std::array<glm::dvec3, 8>> receivers; // in the world
   const auto add = [&](vtkProp* root, vtkProp* prop, vtkMatrix4x4* matrix)
@@ -309,11 +243,11 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer, vtkTranslucentCasters trans
       {
         return;
       }
-      const Known::Entry& entry = known.Find(surface, alphaThreshold, *this->Meshes);
-      if (!entry.Mesh->Indices.empty() || entry.Mesh->Dropped > 0)
+      const auto mesh = known.Find(surface, alphaThreshold, *this->Meshes);
+      if (!mesh->Indices.empty() || mesh->Dropped > 0)
       {
-        placed.push_back({ entry.Mesh, prop, glm::translate(modelToWorld, entry.Mesh->Centre),
-          opacity, receives });
+        placed.push_back(
+          { mesh, prop, glm::translate(modelToWorld, mesh->Centre), opacity, receives });
       }
     };
     if (vtkShadowPass::GetCasting(root) && !vtkShadowPass::GetShadowCatcher(root))

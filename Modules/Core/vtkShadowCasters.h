@@ -36,6 +36,7 @@ class vtkOpenGLRenderWindow;
 class vtkProp;
 class vtkRenderer;
 class vtkShaderProgram;
+class vtkShadowMeshes;
 struct vtkShadowLight;
 
 /** Whether translucent casters cast: not at all, as if they were opaque, or by their opacity. */
@@ -165,10 +166,8 @@ private:
   void SetCaster(vtkShaderProgram* program, const glm::dmat4& WCToClip,
     const vtkShadowCaster& caster, const vtkShadowCasterDraw& how);
 
-  struct Known;
-
   std::vector<vtkShadowCaster> Casters;
-  std::unique_ptr<Known> Meshes; // by where they come from
+  std::unique_ptr<vtkShadowMeshes> Meshes; // of the surfaces
   std::vector<double> Opacities;
   std::vector<std::array<glm::dvec3, 8>> Receivers;
   glm::dvec3 Origin{ 0.0 };

@@ -99,7 +99,10 @@ Maker AddAlpha(vtkShadowSurface& surface, vtkActor* actor, vtkDataSet* data,
   surface.From.Texture = alpha.Texture;
   surface.Map = alpha.LookedUp ? static_cast<const void*>(mapper) : alpha.Texture;
   surface.MapTime = alpha.MapTime;
-  surface.MakeMap = [alpha, mapper, data] { return alpha.MakeMap(mapper, data); };
+  if (surface.Map)
+  {
+    surface.MakeMap = [alpha, mapper, data] { return alpha.MakeMap(mapper, data); };
+  }
   if (alpha.Time == 0)
   {
     return [make = std::move(make)](double) { return make(); };
