@@ -4,11 +4,13 @@
 #include "ShadowTest.h"
 
 #include "vtkCamera.h"
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSetMapper.h"
 #include "vtkDiscretizableColorTransferFunction.h"
 #include "vtkFloatArray.h"
 #include "vtkGlyph3DMapper.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkImageSlice.h"
 #include "vtkImageSliceMapper.h"
@@ -466,6 +468,54 @@ SHADOW_TEST(Alpha, HolesAreWhereItIsClear, Each)
     ShadowTest::Check(source.WholeCells || !cells, std::string(source.Name) + ": no holes");
     CheckHoles(sheet, source, technique, source.Name);
   }
+}
+
+//------------------------------------------------------------------------------
+// A cell that is clear is as if it were cut out, with a light of some size too: by its colour bit by
+// bit, and by a texture but for its edge.
+SHADOW_TEST(Alpha, ClearIsAsCutOut, Each)
+{
+  Visibility visibilities[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    Sheet sheet;
+    sheet.Renderer->RemoveLight(sheet.Light);
+    const bool soft = ShadowStage::Supports(technique, LightKind::Rectangle);
+    sheet.AddLight(
+      soft ? LightKind::Rectangle : LightKind::Point, { 0.3, 0.2, 6.0 }, { 0.0, 0.0, 0.0 });
+    if (i == 0)
+    {
+      vtkNew<vtkCellArray> others;
+      for (vtkIdType cell = 0; cell < Cells * Cells; ++cell)
+      {
+        if (cell != ClearCell)
+        {
+          vtkNew<vtkIdList> points;
+          sheet.GetMesh()->GetCellPoints(cell, points);
+          others->InsertNextCell(points);
+        }
+      }
+      sheet.GetMesh()->SetPolys(others);
+    }
+    else if (i == 1)
+    {
+      sheet.AddColors(sheet.GetMesh()->GetCellData(), Cells * Cells)
+        ->SetTypedComponent(ClearCell, 3, 0);
+    }
+    else
+    {
+      sheet.SetTexture(MakeImage(4,
+        [](double s, double t)
+        { return s > 0.5 && s < 0.75 && t > 0.5 && t < 0.75 ? 0 : 255; }));
+    }
+    sheet.Start(technique);
+    ShadowTest::TakeMessages(); // of volumes
+    visibilities[i] = sheet.GetVisibility();
+  }
+  ShadowTest::CheckAtMost(GetRange(visibilities[0]).first, 0.01, "darkest V");
+  ShadowTest::Check(Same(visibilities[0], visibilities[1]), "the colour: V differs");
+  ShadowTest::CheckAtMost(
+    Compare(visibilities[0], visibilities[2]).Share, 0.01, "the texture: pixels that differ");
 }
 
 //------------------------------------------------------------------------------
