@@ -91,7 +91,8 @@ public:
   ///@{
   /**
    * Emission over a rectangle: the image's (0,0) texel lies at -width/2, -height/2. Visibility is
-   * then a colour: each channel is weighted by the emission. Default: none, uniform emission.
+   * then a colour: each channel is weighted by the emission. What is negative or no finite number
+   * counts as 0; a texture without texels as none. Default: none, uniform emission.
    */
   void SetTexture(vtkTexture* texture);
   vtkTexture* GetTexture();

@@ -1,9 +1,11 @@
 #include "vtkShadowLight.h"
 
 #include "vtkAreaLight.h"
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkLightCollection.h"
 #include "vtkMatrix4x4.h"
+#include "vtkPointData.h"
 #include "vtkRenderer.h"
 #include "vtkShadowPass.h"
 #include "vtkShadowSampling.h"
@@ -19,6 +21,21 @@
 
 namespace
 {
+/** A texture's image; nullptr where it has no texels. */
+vtkImageData* GetImage(vtkTexture* texture)
+{
+  if (texture->GetNumberOfInputConnections(0) == 0)
+  {
+    return nullptr;
+  }
+  texture->Update();
+  vtkImageData* image = texture->GetInput();
+  vtkDataArray* texels = image ? image->GetPointData()->GetScalars() : nullptr;
+  const bool whole = texels && texels->GetNumberOfTuples() > 0 &&
+                     texels->GetNumberOfTuples() == image->GetNumberOfPoints();
+  return whole ? image : nullptr;
+}
+
 /** Half axes of an area light, as vtkShadowLight states them. */
 void SetArea(vtkShadowLight& light, vtkAreaLight* area)
 {
@@ -59,8 +76,7 @@ void SetArea(vtkShadowLight& light, vtkAreaLight* area)
   light.V = half.y * height;
   if (light.Kind == Shape::Rectangle && area->GetTexture())
   {
-    area->GetTexture()->Update();
-    light.Emission = area->GetTexture()->GetInput();
+    light.Emission = GetImage(area->GetTexture());
     light.EmissionTime = light.Emission ? light.Emission->GetMTime() : 0;
   }
 }
@@ -217,6 +233,7 @@ glm::dvec3 vtkShadowLight::GetEmission(const glm::dvec2& unit) const
   // Bilinear between texel centres, clamped at the border.
   int size[3];
   this->Emission->GetDimensions(size);
+  const int* extent = this->Emission->GetExtent();
   const int components = this->Emission->GetNumberOfScalarComponents();
   const double full = this->Emission->GetScalarType() == VTK_UNSIGNED_CHAR ? 255.0 : 1.0;
   const glm::dvec2 p = glm::clamp(unit * glm::dvec2(size[0], size[1]) - 0.5, glm::dvec2(0.0),
@@ -229,7 +246,11 @@ glm::dvec3 vtkShadowLight::GetEmission(const glm::dvec2& unit) const
   {
     const int channel = components >= 3 ? c : 0;
     const auto at = [&](int x, int y)
-    { return this->Emission->GetScalarComponentAsDouble(x, y, 0, channel) / full; };
+    {
+      const double value = this->Emission->GetScalarComponentAsDouble(
+        extent[0] + x, extent[2] + y, extent[4], channel);
+      return std::isfinite(value) ? std::max(0.0, value / full) : 0.0;
+    };
     result[c] = glm::mix(glm::mix(at(low.x, low.y), at(high.x, low.y), t.x),
       glm::mix(at(low.x, high.y), at(high.x, high.y), t.x), t.y);
   }

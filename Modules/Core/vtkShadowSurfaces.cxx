@@ -167,7 +167,10 @@ void ForEachSurfaceOfActor(vtkActor* actor, vtkMatrix4x4* matrix, const Function
     return;
   }
   const bool surfaces = actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
-  mapper->GetInputAlgorithm()->Update();
+  if (!mapper->GetStatic()) // or it draws what data there are
+  {
+    mapper->GetInputAlgorithm()->Update();
+  }
   vtkDataObject* input = mapper->GetInputDataObject(0, 0);
   vtkShadowSurface surface;
   surface.Translucent = IsTranslucent(actor);

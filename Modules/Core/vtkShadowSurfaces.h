@@ -67,7 +67,7 @@ struct vtkShadowSurface
 
 /**
  * Call a function with each surface that a prop (no assembly; see vtkShadowPass::ForEachPart) draws
- * by a matrix. Updates its mapper's inputs.
+ * by a matrix. Updates its mapper's inputs, unless it is static.
  */
 void vtkForEachShadowSurface(vtkProp* prop, vtkMatrix4x4* matrix,
   const std::function<void(const vtkShadowSurface&)>& function);

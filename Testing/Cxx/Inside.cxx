@@ -8,7 +8,6 @@
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkCompositePolyDataMapper2.h"
 #include "vtkCubeSource.h"
 #include "vtkLightCollection.h"
 #include "vtkMultiBlockDataSet.h"
@@ -18,6 +17,7 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
+#include "vtkShadowVTKVersion.h"
 #include "vtkSphereSource.h"
 
 #include <glm/geometric.hpp>
@@ -400,7 +400,7 @@ SHADOW_TEST(Inside, Glass, Once)
         blocks->SetBlock(0, glass);
         blocks->SetBlock(1, part);
         vtkNew<vtkCompositeDataDisplayAttributes> attributes;
-        vtkNew<vtkCompositePolyDataMapper2> mapper;
+        vtkNew<vtkShadowCompositeMapper> mapper;
         mapper->SetInputDataObject(blocks);
         mapper->SetCompositeDataDisplayAttributes(attributes);
         attributes->SetBlockOpacity(glass, 0.4);
