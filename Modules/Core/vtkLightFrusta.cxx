@@ -1,12 +1,12 @@
 #include "vtkLightFrusta.h"
 
+#include "vtkLightRegions.h"
 #include "vtkShadowCasters.h"
 #include "vtkShadowLight.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/trigonometric.hpp>
-#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +24,11 @@ constexpr double NearestNear = 1e-3;
 /** Beyond this angle from its axis one frustum wastes its texels, and a cube takes over. */
 constexpr double WidestHalfAngle = 65.0;
 
-/** So many flat casters get the exact treatment; more are all drawn whole. */
-constexpr std::size_t MostFlatCasters = 64;
+/** Sizes of windows for each doubling: they are at most 9 % larger than needed. */
+constexpr double StepsADoubling = 8.0;
+
+/** Casters within this angle from the largest are seen along its axis: steeper wastes texels. */
+constexpr double WidestSteadyAngle = 55.0;
 
 /** A view shows at most so much beyond a border, as a tangent: look-ups further out are drawn in. */
 constexpr double WidestOverlap = 0.6;
@@ -35,46 +38,7 @@ double Tangent(double degrees)
   return std::tan(glm::radians(degrees));
 }
 
-/** An axis-aligned range on a view plane, and along the view axis. */
-struct Range
-{
-  glm::dvec3 Low{ std::numeric_limits<double>::max() };
-  glm::dvec3 High{ std::numeric_limits<double>::lowest() };
-
-  /** The window of this one reaches over that of another. */
-  bool ReachesOver(const Range& other) const
-  {
-    return this->Low.x < other.Low.x || this->Low.y < other.Low.y || this->High.x > other.High.x ||
-           this->High.y > other.High.y;
-  }
-  bool IsEmpty() const
-  {
-    return this->Low.x > this->High.x || this->Low.y > this->High.y || this->Low.z > this->High.z;
-  }
-  void Add(const glm::dvec3& p)
-  {
-    this->Low = glm::min(this->Low, p);
-    this->High = glm::max(this->High, p);
-  }
-  void Add(const Range& other)
-  {
-    if (!other.IsEmpty())
-    {
-      this->Add(other.Low);
-      this->Add(other.High);
-    }
-  }
-  /** The common window, the other being that much larger; the depth stays this one's. */
-  Range Window(const Range& other, double overlap) const
-  {
-    Range result = *this;
-    result.Low.x = std::max(this->Low.x, other.Low.x - overlap);
-    result.Low.y = std::max(this->Low.y, other.Low.y - overlap);
-    result.High.x = std::min(this->High.x, other.High.x + overlap);
-    result.High.y = std::min(this->High.y, other.High.y + overlap);
-    return result;
-  }
-};
+using Range = vtkLightRegions::Range;
 
 /** Orthonormal axes of a view, z along it. They follow from it alone, not from the light's size. */
 struct Frame
@@ -92,6 +56,35 @@ struct Frame
   glm::dvec3 X, Y, Z;
 };
 
+/**
+ * Let one side of a window take steps: its size against the anchor's in powers of a little more than 1,
+ * its place in whole texels. Both follow from the scene alone, whatever its units, place and turn, and
+ * whatever was before. What is off by rounding takes no step.
+ */
+void Step(Range& range, const Range& anchor, int axis, const vtkLightFrusta::Options& options)
+{
+  double& low = range.Low[axis];
+  double& high = range.High[axis];
+  const double own = anchor.High[axis] - anchor.Low[axis];
+  const bool alone = low == anchor.Low[axis] && high == anchor.High[axis];
+  if (options.Texel == 0.0 || alone || !(own > 1e-6 * (high - low)))
+  {
+    return;
+  }
+  double end = low;
+  double start = low;
+  for (double step = std::ceil(StepsADoubling * std::log2((high - low) / own) - 1e-6);
+       end < high - 1e-6 * own; ++step)
+  {
+    const double size = own * std::exp2(step / StepsADoubling);
+    const double texel = size * (1.0 + 2.0 * options.Border) * options.Texel;
+    start = anchor.Low[axis] + texel * std::floor((low - anchor.Low[axis]) / texel + 1e-6);
+    end = start + size;
+  }
+  low = start;
+  high = end;
+}
+
 /** A clear border around the window, as a share of its size. */
 void Widen(Range& range, double border)
 {
@@ -106,124 +99,30 @@ void Widen(Range& range, double border)
   }
 }
 
-/** Everything that a box shows of itself in a view, given how its corners project; and its whole. */
-template <typename Project>
-Range RegionRange(const std::vector<glm::dvec3>& box,
-  const std::vector<std::vector<glm::dvec3>>& others, double overlap, Project project, Range& whole)
-{
-  const Range own = project(box);
-  whole.Add(own);
-  if (others.empty() || own.IsEmpty())
-  {
-    return own;
-  }
-  Range shared;
-  for (const auto& other : others)
-  {
-    const Range window = project(other);
-    if (!window.IsEmpty())
-    {
-      shared.Add(own.Window(window, overlap));
-    }
-  }
-  return shared;
 }
+
+//------------------------------------------------------------------------------
+vtkLightFrusta::vtkLightFrusta(const vtkShadowLight& light, const vtkShadowCasters& casters)
+  : vtkLightFrusta(light, casters, Options())
+{
 }
 
 //------------------------------------------------------------------------------
 vtkLightFrusta::vtkLightFrusta(
-  const vtkShadowLight& light, const vtkShadowCasters& casters, double border, bool neighbours)
+  const vtkShadowLight& light, const vtkShadowCasters& casters, const Options& options)
   : Light(light)
-  , Border(border)
-  , Around(neighbours)
-  , Neighbours(neighbours && !light.IsPoint())
+  , Wanted(options)
+  , Neighbours(options.Neighbours && !light.IsPoint())
   , Origin(casters.GetOrigin())
+  , Regions(std::make_shared<vtkLightRegions>(light, casters))
 {
   const auto& all = casters.Get();
-  auto receivers = casters.GetReceivers();
-  for (const auto& caster : all)
-  {
-    if (!caster.IsSeenBy(light))
-    {
-      receivers.push_back(caster.Corners); // for this part of the light
-    }
-  }
-  const auto extremes = light.GetExtremes();
-  // Signed distance of a place on the light from a plane; of a direction, its component.
-  const auto side = [&](const glm::dvec3& place, const glm::dvec3& normal, const glm::dvec3& point)
-  {
-    return light.IsDirectional() ? glm::dot(normal, place)
-                                 : glm::dot(normal, place - this->Origin - point);
-  };
-  const std::size_t flatCount = std::count_if(
-    all.begin(), all.end(), [](const vtkShadowCaster& caster) { return caster.Mesh->Flat; });
-
-  for (std::size_t i = 0; i < all.size(); ++i)
-  {
-    const auto& caster = all[i];
-    if (caster.Mesh->Indices.empty() || !caster.IsSeenBy(light))
-    {
-      continue;
-    }
-    Region region{ Corners(caster.Corners.begin(), caster.Corners.end()), {} };
-    if (caster.Mesh->Flat && flatCount <= MostFlatCasters)
-    {
-      // A plane cannot shadow itself; only what lies behind it matters.
-      const glm::dmat3 linear(caster.MeshToWC);
-      glm::dvec3 normal = glm::transpose(glm::inverse(linear)) * caster.Mesh->Normal;
-      const glm::dvec3 point(caster.MeshToWC * glm::dvec4(caster.Mesh->PlanePoint, 1.0));
-      const double length = glm::length(normal);
-      normal = length > 0.0 && std::isfinite(length) ? normal / length : glm::dvec3(0.0);
-      double lowest = std::numeric_limits<double>::max();
-      double highest = std::numeric_limits<double>::lowest();
-      for (const auto& place : extremes)
-      {
-        const double distance = side(place, normal, point);
-        lowest = std::min(lowest, distance);
-        highest = std::max(highest, distance);
-      }
-      if (lowest > 0.0 || highest < 0.0)
-      {
-        const double towardsLight = lowest > 0.0 ? 1.0 : -1.0;
-        const auto addIfBehind = [&](const std::array<glm::dvec3, 8>& box)
-        {
-          // Touching is not behind: floors under things that stand on them.
-          const double tolerance = 1e-6 * glm::length(box[7] - box[0]);
-          for (const auto& corner : box)
-          {
-            if (towardsLight * glm::dot(normal, corner - point) < -tolerance)
-            {
-              region.Others.emplace_back(box.begin(), box.end());
-              return;
-            }
-          }
-        };
-        for (std::size_t j = 0; j < all.size(); ++j)
-        {
-          if (j != i && all[j].IsSeenBy(light))
-          {
-            addIfBehind(all[j].Corners);
-          }
-        }
-        for (const auto& box : receivers)
-        {
-          addIfBehind(box);
-        }
-        if (region.Others.empty())
-        {
-          continue; // nothing can lie in its shadow
-        }
-      }
-    }
-    this->Included.push_back(static_cast<int>(i));
-    this->Regions.push_back(std::move(region));
-  }
-
   // Bodies, or flat things where there are no others: a floor is not what casts.
   std::vector<int> bodies;
-  std::copy_if(this->Included.begin(), this->Included.end(), std::back_inserter(bodies),
+  const auto& included = this->GetCasters();
+  std::copy_if(included.begin(), included.end(), std::back_inserter(bodies),
     [&all](int i) { return !all[i].Mesh->Flat; });
-  bodies = bodies.empty() ? this->Included : bodies;
+  bodies = bodies.empty() ? included : bodies;
   glm::dvec3 middle(0.0);
   for (const int i : bodies)
   {
@@ -234,6 +133,12 @@ vtkLightFrusta::vtkLightFrusta(
     this->Extent =
       std::max(this->Extent, 2.0 * (glm::length(all[i].GetMiddle() - middle) + all[i].GetRadius()));
   }
+}
+
+//------------------------------------------------------------------------------
+const std::vector<int>& vtkLightFrusta::GetCasters() const
+{
+  return this->Regions->GetCasters();
 }
 
 //------------------------------------------------------------------------------
@@ -252,30 +157,15 @@ double vtkLightFrusta::GetOverlap(const glm::dvec3& position, double widest) con
   const double size = glm::length(this->Light.U) + glm::length(this->Light.V);
   if (this->Light.IsDirectional())
   {
-    // As far as anything is from anything else.
-    Range all;
-    for (const auto& region : this->Regions)
-    {
-      for (const auto& corner : region.Box)
-      {
-        all.Add(corner);
-      }
-      for (const auto& other : region.Others)
-      {
-        for (const auto& corner : other)
-        {
-          all.Add(corner);
-        }
-      }
-    }
-    return all.IsEmpty() ? 0.0 : size * glm::length(all.High - all.Low);
+    return size * this->Regions->GetDiameter();
   }
   double nearest = std::numeric_limits<double>::max();
-  for (const auto& region : this->Regions)
+  for (const int caster : this->GetCasters())
   {
     // Of the sphere around the box; negative where the light may be in it.
-    const glm::dvec3 middle = 0.5 * (region.Box.front() + region.Box.back());
-    const double radius = 0.5 * glm::length(region.Box.back() - region.Box.front());
+    const auto& box = this->Regions->GetBox(caster);
+    const glm::dvec3 middle = 0.5 * (box.front() + box.back());
+    const double radius = 0.5 * glm::length(box.back() - box.front());
     nearest = std::min(nearest, glm::length(middle - position) - radius);
   }
   return nearest * widest > size ? size / nearest : widest;
@@ -292,7 +182,7 @@ bool vtkLightFrusta::IsOverlapExceeded(const vtkShadowCasters& casters) const
   {
     return false;
   }
-  return std::any_of(this->Included.begin(), this->Included.end(),
+  return std::any_of(this->GetCasters().begin(), this->GetCasters().end(),
     [&](int index)
     {
       const vtkShadowCaster& caster = casters.Get()[index];
@@ -312,7 +202,7 @@ bool vtkLightFrusta::IsOverlapExceeded(const vtkShadowCasters& casters) const
 //------------------------------------------------------------------------------
 std::vector<vtkLightView> vtkLightFrusta::GetViews(const glm::dvec3& place) const
 {
-  if (this->Included.empty())
+  if (this->GetCasters().empty())
   {
     return {};
   }
@@ -324,73 +214,60 @@ std::vector<vtkLightView> vtkLightFrusta::GetViews(const glm::dvec3& place) cons
 std::vector<vtkLightView> vtkLightFrusta::GetDirectionalViews(const glm::dvec3& towardsLight) const
 {
   const Frame frame(-towardsLight);
-  const double overlap = this->GetOverlap(glm::dvec3(0.0), 0.0);
-  Range range;
-  Range whole;
-  for (const auto& region : this->Regions)
-  {
-    range.Add(RegionRange(
-      region.Box, region.Others, overlap,
-      [&](const Corners& box)
+  const auto groups = this->Regions->GetGroups(
+    [&frame](const vtkLightRegions::Box& box)
+    {
+      Range range;
+      for (const auto& corner : box)
       {
-        Range own;
-        for (const auto& corner : box)
-        {
-          own.Add(frame(corner));
-        }
-        return own;
-      },
-      whole));
-  }
-  if (range.IsEmpty())
+        range.Add(frame(corner));
+      }
+      return range;
+    },
+    this->GetOverlap(glm::dvec3(0.0), 0.0), this->Wanted.Groups);
+  std::vector<vtkLightView> views;
+  for (const auto& group : groups)
   {
-    return {};
-  }
-  const bool clipped = whole.ReachesOver(range);
-  Widen(range, this->Border);
-  const double depthMargin = 1e-3 * glm::length(range.High - range.Low);
-  range.Low.z -= depthMargin;
-  range.High.z += depthMargin;
+    Range range = group.Needed;
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      Step(range, group.Anchor, axis, this->Wanted);
+    }
+    Widen(range, this->Wanted.Border);
+    const double depthMargin = 1e-3 * glm::length(range.High - range.Low);
+    range.Low.z -= depthMargin;
+    range.High.z += depthMargin;
 
-  const glm::dvec3 size = range.High - range.Low;
-  const glm::dvec3 centre = 0.5 * (range.High + range.Low);
-  vtkLightView view;
-  const glm::dvec3 axes[] = { frame.X, frame.Y, frame.Z };
-  glm::dmat4 rows(0.0);
-  for (int c = 0; c < 3; ++c)
-  {
-    rows[c] = glm::dvec4(axes[c], -centre[c]) * (2.0 / size[c]);
+    const glm::dvec3 size = range.High - range.Low;
+    const glm::dvec3 centre = 0.5 * (range.High + range.Low);
+    vtkLightView view;
+    const glm::dvec3 axes[] = { frame.X, frame.Y, frame.Z };
+    glm::dmat4 rows(0.0);
+    for (int c = 0; c < 3; ++c)
+    {
+      rows[c] = glm::dvec4(axes[c], -centre[c]) * (2.0 / size[c]);
+    }
+    rows[3] = glm::dvec4(0.0, 0.0, 0.0, 1.0);
+    view.WCToClip = glm::transpose(rows);
+    view.Clipped = group.Whole.ReachesOver(group.Needed);
+    view.Place = towardsLight;
+    view.WindowX = frame.X * size.x;
+    view.WindowY = frame.Y * size.y;
+    view.DepthScale = 1.0 / size.z;
+    view.Casters = group.Casters;
+    views.push_back(view);
   }
-  rows[3] = glm::dvec4(0.0, 0.0, 0.0, 1.0);
-  view.WCToClip = glm::transpose(rows);
-  view.Clipped = clipped;
-  view.Place = towardsLight;
-  view.WindowX = frame.X * size.x;
-  view.WindowY = frame.Y * size.y;
-  view.DepthScale = 1.0 / size.z;
-  return { view };
+  return views;
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkLightView> vtkLightFrusta::GetPositionalViews(const glm::dvec3& position) const
+bool vtkLightFrusta::FindAxis(const glm::dvec3& position, const std::vector<int>& casters,
+  double widestAngle, glm::dvec3& axis) const
 {
-  std::vector<vtkLightView> views;
-  // VTK has one cone, at the centre: another place on the light has to see beyond its own.
-  // So do look-ups around the centre: as far as the light's size carries them, or all the way.
-  const double overlap = this->GetOverlap(position, Tangent(WidestHalfAngle));
-  if (position == this->Light.Position - this->Origin && this->Light.ConeAngle <= WidestHalfAngle &&
-      Tangent(this->Light.ConeAngle) + overlap <= Tangent(WidestHalfAngle))
-  {
-    this->AddPerspectiveView(
-      position, this->Light.Direction, Tangent(this->Light.ConeAngle), overlap, false, views);
-    return views;
-  }
-
-  // One frustum along the mean direction, where it sees all corners under a small enough angle.
   glm::dvec3 mean(0.0);
-  for (const auto& region : this->Regions)
+  for (const int caster : casters)
   {
-    for (const auto& corner : region.Box)
+    for (const auto& corner : this->Regions->GetBox(caster))
     {
       const glm::dvec3 d = corner - position;
       const double length = glm::length(d);
@@ -398,50 +275,80 @@ std::vector<vtkLightView> vtkLightFrusta::GetPositionalViews(const glm::dvec3& p
     }
   }
   const double length = glm::length(mean);
-  const double least = std::cos(glm::radians(WidestHalfAngle));
-  bool fits = length > 0.0;
-  for (const auto& region : this->Regions)
+  const double least = std::cos(glm::radians(widestAngle));
+  axis = mean / length;
+  const auto fits = [&](int caster)
   {
-    for (std::size_t i = 0; fits && i < region.Box.size(); ++i)
-    {
-      const glm::dvec3 d = region.Box[i] - position;
-      // "Not less", so that a corner at the light itself fails too.
-      fits = glm::dot(d, mean) > least * length * glm::length(d);
-    }
-  }
-  if (fits)
+    const auto& box = this->Regions->GetBox(caster);
+    return std::all_of(box.begin(), box.end(),
+      [&](const glm::dvec3& corner)
+      {
+        // "Greater", so that a corner at the light itself fails too.
+        const glm::dvec3 d = corner - position;
+        return glm::dot(d, mean) > least * length * glm::length(d);
+      });
+  };
+  return length > 0.0 &&
+         std::all_of(this->GetCasters().begin(), this->GetCasters().end(), fits);
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkLightView> vtkLightFrusta::GetPositionalViews(const glm::dvec3& position) const
+{
+  // VTK has one cone, at the centre: another place on the light has to see beyond its own.
+  // So do look-ups around the centre: as far as the light's size carries them, or all the way.
+  const double widest = Tangent(WidestHalfAngle);
+  const double overlap = this->GetOverlap(position, widest);
+  if (position == this->Light.Position - this->Origin && this->Light.ConeAngle <= WidestHalfAngle &&
+      Tangent(this->Light.ConeAngle) + overlap <= widest)
   {
-    this->AddPerspectiveView(
-      position, mean / length, Tangent(WidestHalfAngle) * 1.01, overlap, false, views);
-    return views;
+    const double cone = Tangent(this->Light.ConeAngle);
+    return this->GetPerspectiveViews(
+      { position, this->Light.Direction, cone, overlap, false }, this->Wanted.Groups);
   }
 
+  // Around an axis that does not move with what is smaller than the largest.
+  glm::dvec3 axis;
+  if (this->Wanted.Texel > 0.0 &&
+      this->FindAxis(position, { this->Regions->GetLargest() }, WidestSteadyAngle, axis))
+  {
+    return this->GetPerspectiveViews(
+      { position, axis, widest * 1.01, overlap, false }, this->Wanted.Groups);
+  }
+
+  // One frustum along the mean direction, where it sees all corners under a small enough angle.
+  if (this->FindAxis(position, this->GetCasters(), WidestHalfAngle, axis))
+  {
+    return this->GetPerspectiveViews({ position, axis, widest * 1.01, overlap, false }, 1);
+  }
+
+  std::vector<vtkLightView> views;
   for (int face = 0; face < 6; ++face)
   {
-    glm::dvec3 axis(0.0);
+    axis = glm::dvec3(0.0);
     axis[face / 2] = face % 2 ? -1.0 : 1.0;
-    this->AddPerspectiveView(
-      position, axis, 1.0, this->GetOverlap(position, WidestOverlap), true, views);
+    const auto more = this->GetPerspectiveViews(
+      { position, axis, 1.0, this->GetOverlap(position, WidestOverlap), true }, 1);
+    views.insert(views.end(), more.begin(), more.end());
   }
   return views;
 }
 
 //------------------------------------------------------------------------------
-bool vtkLightFrusta::AddPerspectiveView(const glm::dvec3& position, const glm::dvec3& axis,
-  double border, double overlap, bool face, std::vector<vtkLightView>& views) const
+std::vector<vtkLightView> vtkLightFrusta::GetPerspectiveViews(const Aim& aim, int groups) const
 {
-  const Frame frame(axis);
-  const double limit = border + overlap;
+  const Frame frame(aim.Axis);
+  const double limit = aim.Border + aim.Overlap;
   // A box in x/z, y/z and z, clipped to |x/z|, |y/z| <= limit; the whole window where the box
   // reaches behind the light.
-  const auto project = [&](const Corners& box)
+  const auto project = [&](const vtkLightRegions::Box& box)
   {
     Range range;
     bool behind = false;
     bool outside[5] = { true, true, true, true, true };
     for (const auto& corner : box)
     {
-      const glm::dvec3 p = frame(corner - position);
+      const glm::dvec3 p = frame(corner - aim.Position);
       outside[0] = outside[0] && p.x > limit * p.z;
       outside[1] = outside[1] && p.x < -limit * p.z;
       outside[2] = outside[2] && p.y > limit * p.z;
@@ -469,48 +376,51 @@ bool vtkLightFrusta::AddPerspectiveView(const glm::dvec3& position, const glm::d
     range.High.y = std::min(range.High.y, limit);
     return range;
   };
-  Range range;
-  Range whole;
-  for (const auto& region : this->Regions)
+  std::vector<vtkLightView> views;
+  for (const auto& group : this->Regions->GetGroups(project, aim.Overlap, groups))
   {
-    range.Add(RegionRange(region.Box, region.Others, overlap, project, whole));
-  }
-  if (range.IsEmpty())
-  {
-    return false;
-  }
-  const std::array<bool, 4> cut = { -range.Low.x >= limit, -range.Low.y >= limit,
-    range.High.x >= limit, range.High.y >= limit };
-  const bool clipped = std::count(cut.begin(), cut.end(), true) > 0 || whole.ReachesOver(range);
-  Widen(range, this->Border);
-  if (face && !this->Around)
-  {
-    // Faces of a cube do not overlap, or a point on their common edge would be counted twice.
-    range.Low = glm::max(range.Low, glm::dvec3(-1.0, -1.0, 0.0));
-    range.High = glm::dvec3(glm::min(glm::dvec2(range.High), glm::dvec2(1.0)), range.High.z);
-  }
-  const double zFar = range.High.z * 1.001;
-  const double zNear = std::max(range.Low.z * 0.999, zFar * NearestNear);
+    Range range = group.Needed;
+    vtkLightView view;
+    view.Cut = { -range.Low.x >= limit, -range.Low.y >= limit, range.High.x >= limit,
+      range.High.y >= limit };
+    view.Clipped = std::count(view.Cut.begin(), view.Cut.end(), true) > 0 ||
+                   group.Whole.ReachesOver(group.Needed);
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      if (!view.Cut[axis] && !view.Cut[axis + 2])
+      {
+        Step(range, group.Anchor, axis, this->Wanted);
+      }
+    }
+    Widen(range, this->Wanted.Border);
+    if (aim.Face && !this->Wanted.Neighbours)
+    {
+      // Faces of a cube do not overlap, or a point on their common edge would be counted twice.
+      range.Low = glm::max(range.Low, glm::dvec3(-1.0, -1.0, 0.0));
+      range.High = glm::dvec3(glm::min(glm::dvec2(range.High), glm::dvec2(1.0)), range.High.z);
+    }
+    const double zFar = range.High.z * 1.001;
+    const double zNear =
+      std::max(range.Low.z * 0.999, std::min(zFar * NearestNear, group.Nearest * 0.999));
 
-  const glm::dvec2 size(range.High - range.Low);
-  const glm::dvec2 centre = 0.5 * (glm::dvec2(range.High) + glm::dvec2(range.Low));
-  const auto row = [&](const glm::dvec3& direction, double offset)
-  { return glm::dvec4(direction, offset - glm::dot(direction, position)); };
-  glm::dmat4 rows;
-  rows[0] = row((frame.X - centre.x * frame.Z) * (2.0 / size.x), 0.0);
-  rows[1] = row((frame.Y - centre.y * frame.Z) * (2.0 / size.y), 0.0);
-  rows[2] = row(frame.Z * ((zFar + zNear) / (zFar - zNear)), -2.0 * zFar * zNear / (zFar - zNear));
-  rows[3] = row(frame.Z, 0.0);
-  vtkLightView view;
-  view.WCToClip = glm::transpose(rows);
-  view.Clipped = clipped;
-  view.Place = position;
-  view.Cut = cut;
-  view.Face = face;
-  view.WindowX = frame.X * size.x;
-  view.WindowY = frame.Y * size.y;
-  view.DepthScale = zFar * zNear / (zFar - zNear);
-  view.DepthConstant = zFar / (zFar - zNear);
-  views.push_back(view);
-  return true;
+    const glm::dvec2 size(range.High - range.Low);
+    const glm::dvec2 centre = 0.5 * (glm::dvec2(range.High) + glm::dvec2(range.Low));
+    const auto row = [&](const glm::dvec3& direction, double offset)
+    { return glm::dvec4(direction, offset - glm::dot(direction, aim.Position)); };
+    glm::dmat4 rows;
+    rows[0] = row((frame.X - centre.x * frame.Z) * (2.0 / size.x), 0.0);
+    rows[1] = row((frame.Y - centre.y * frame.Z) * (2.0 / size.y), 0.0);
+    rows[2] = row(frame.Z * ((zFar + zNear) / (zFar - zNear)), -2.0 * zFar * zNear / (zFar - zNear));
+    rows[3] = row(frame.Z, 0.0);
+    view.WCToClip = glm::transpose(rows);
+    view.Place = aim.Position;
+    view.Face = aim.Face;
+    view.WindowX = frame.X * size.x;
+    view.WindowY = frame.Y * size.y;
+    view.DepthScale = zFar * zNear / (zFar - zNear);
+    view.DepthConstant = zFar / (zFar - zNear);
+    view.Casters = group.Casters;
+    views.push_back(view);
+  }
+  return views;
 }

@@ -4,7 +4,8 @@
 // nothing behind it as the light sees it (a floor under everything) is left out; one that has
 // something behind it only in places is hugged there. A light that sees all casters within a cone
 // gets one frustum, a light among the casters up to six faces of a cube, each only where there are
-// casters. None of this depends on the camera.
+// casters. Casters in groups with a lot of room between them get a frustum for each group: a thing that
+// moves far away then neither costs resolution nor moves a texel. None of this depends on the camera.
 
 #ifndef vtkLightFrusta_h
 #define vtkLightFrusta_h
@@ -16,8 +17,10 @@
 #include <glm/vec3.hpp>
 
 #include <array>
+#include <memory>
 #include <vector>
 
+class vtkLightRegions;
 class vtkShadowCasters;
 
 /** One view from a point of a light: a map is drawn and read through it. */
@@ -48,22 +51,39 @@ struct vtkLightView
    */
   double DepthScale = 0.0;
   double DepthConstant = 0.0;
+  /** What it shows: indices of vtkShadowCasters::Get(), ascending. */
+  std::vector<int> Casters;
 };
 
 class VTKSOFTSHADOWSCORE_EXPORT vtkLightFrusta
 {
 public:
-  /**
-   * Find which casters count for a light, whichever of its points is looked from.
-   * The frusta's borders stay `border` (a fraction of the window) clear of casters.
-   * `neighbours`: views are for look-ups all around a point, as far as the light's size can carry
-   * them. Where casters reach over a border, the view then shows some way beyond it.
-   */
-  vtkLightFrusta(const vtkShadowLight& light, const vtkShadowCasters& casters, double border,
-    bool neighbours = false);
+  struct Options
+  {
+    /** So far the frusta's borders stay clear of casters, as a share of the window. */
+    double Border = 0.0;
+    /**
+     * A texel, as a share of the window. Where it is positive, the window around several casters takes
+     * steps: its sides are the largest caster's times powers of 2^(1/8), and it moves by whole texels
+     * against that. While another caster moves, the texels then stay in their place but for the steps.
+     */
+    double Texel = 0.0;
+    /**
+     * Views are for look-ups all around a point, as far as the light's size can carry them. Where
+     * casters reach over a border, the view then shows some way beyond it.
+     */
+    bool Neighbours = false;
+    /** At most so many groups of casters get frusta of their own, a power of two. */
+    int Groups = 1;
+  };
+
+  /** Find which casters count for a light, whichever of its points is looked from. */
+  vtkLightFrusta(const vtkShadowLight& light, const vtkShadowCasters& casters);
+  vtkLightFrusta(
+    const vtkShadowLight& light, const vtkShadowCasters& casters, const Options& options);
 
   /** Indices of the casters that can shadow something. Empty: nothing to draw for this light. */
-  const std::vector<int>& GetCasters() const { return this->Included; }
+  const std::vector<int>& GetCasters() const;
 
   /**
    * Diameter of a sphere around those that are not flat, or around all, in world units; it does not
@@ -77,33 +97,38 @@ public:
    */
   bool IsOverlapExceeded(const vtkShadowCasters& casters) const;
 
-  /** Views from one place on the light (see vtkLightSample), in WC: none, one, or up to six. */
+  /**
+   * Views from one place on the light (see vtkLightSample), in WC: none, one for each group, or up to
+   * six. What one of them shows, none of the others does, but for what faces of a cube overlap.
+   */
   std::vector<vtkLightView> GetViews(const glm::dvec3& place) const;
 
 private:
-  using Corners = std::vector<glm::dvec3>;
-  /** A box of which a view must show what also lies in one of the others, or all where none is. */
-  struct Region
+  /** A view along an axis, from a position, that ends at a tangent and shows some more beyond it. */
+  struct Aim
   {
-    Corners Box;
-    std::vector<Corners> Others;
+    glm::dvec3 Position;
+    glm::dvec3 Axis;
+    double Border;
+    double Overlap;
+    bool Face;
   };
 
   /** How far a view shows beyond a border, in the units of its window; a tangent at most. */
   double GetOverlap(const glm::dvec3& position, double widest) const;
   std::vector<vtkLightView> GetDirectionalViews(const glm::dvec3& towardsLight) const;
   std::vector<vtkLightView> GetPositionalViews(const glm::dvec3& position) const;
-  bool AddPerspectiveView(const glm::dvec3& position, const glm::dvec3& axis, double limit,
-    double overlap, bool face, std::vector<vtkLightView>& views) const;
+  /** The mean direction to some casters' corners, if all casters are within an angle from it. */
+  bool FindAxis(const glm::dvec3& position, const std::vector<int>& casters, double widestAngle,
+    glm::dvec3& axis) const;
+  std::vector<vtkLightView> GetPerspectiveViews(const Aim& aim, int groups) const;
 
   vtkShadowLight Light;
-  double Border;
-  bool Around;     // views are for look-ups around a point
-  bool Neighbours; // and the light has a size that carries them
+  Options Wanted;
+  bool Neighbours; // and the light has a size that carries look-ups
   double Extent = 0.0;
   glm::dvec3 Origin{ 0.0 }; // of WC
-  std::vector<int> Included;
-  std::vector<Region> Regions;
+  std::shared_ptr<const vtkLightRegions> Regions;
 };
 
 #endif

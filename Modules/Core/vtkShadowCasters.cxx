@@ -47,6 +47,12 @@ std::array<glm::dvec3, 8> BoxCorners(const glm::dvec3& low, const glm::dvec3& hi
   return corners;
 }
 
+bool IsFinite(const glm::dmat4& matrix)
+{
+  const double* values = glm::value_ptr(matrix);
+  return std::all_of(values, values + 16, [](double value) { return std::isfinite(value); });
+}
+
 template <typename Count>
 std::size_t Sum(const std::vector<vtkShadowCaster>& casters, Count count)
 {
@@ -229,10 +235,12 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer, vtkTranslucentCasters trans
   vtkShadowMeshes known; // of this time; what is in it no more is forgotten
   std::vector<Placed> placed;
   std::vector<std::array<glm::dvec3, 8>> receivers; // in the world
+  std::size_t dropped = 0;
+  std::size_t notFinite = 0;
   const auto add = [&](vtkProp* root, vtkProp* prop, vtkMatrix4x4* matrix)
   {
     const glm::dmat4 modelToWorld = glm::transpose(glm::make_mat4(matrix->GetData()));
-    const std::size_t before = placed.size();
+    bool surfaces = false; // of the prop, that may cast
     const bool receives = vtkShadowPass::GetReceiving(root);
     const auto addSurface = [&](const vtkShadowSurface& surface)
     {
@@ -244,7 +252,11 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer, vtkTranslucentCasters trans
         return;
       }
       const auto mesh = known.Find(surface, alphaThreshold, *this->Meshes);
-      if (!mesh->Indices.empty() || mesh->Dropped > 0)
+      // What casts nothing has no place: it must not move the origin, nor widen a map.
+      surfaces = surfaces || !mesh->Indices.empty() || mesh->Dropped > 0;
+      dropped += mesh->Dropped;
+      notFinite += mesh->NotFinite;
+      if (!mesh->Indices.empty() && IsFinite(modelToWorld))
       {
         placed.push_back(
           { mesh, prop, glm::translate(modelToWorld, mesh->Centre), opacity, receives });
@@ -255,12 +267,13 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer, vtkTranslucentCasters trans
       vtkForEachShadowSurface(prop, matrix, addSurface);
     }
     auto* actor = vtkActor::SafeDownCast(prop);
-    if (placed.size() != before || !actor || !actor->GetMapper() || !receives)
+    if (surfaces || !actor || !actor->GetMapper() || !receives)
     {
       return;
     }
     const double* b = actor->GetMapper()->GetBounds();
-    if (b && b[0] <= b[1])
+    if (b && b[0] <= b[1] && std::all_of(b, b + 6, [](double bound) { return std::isfinite(bound); }) &&
+      IsFinite(modelToWorld))
     {
       receivers.push_back(BoxCorners({ b[0], b[2], b[4] }, { b[1], b[3], b[5] }));
       for (auto& corner : receivers.back())
@@ -281,6 +294,8 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer, vtkTranslucentCasters trans
     }
   }
   *this->Meshes = std::move(known);
+  this->Dropped = dropped;
+  this->NotFinite = notFinite;
   this->Opacities = FindOpacities(placed, levels);
 
   bool changed = placed.size() != this->Casters.size();
@@ -363,18 +378,6 @@ std::size_t vtkShadowCasters::GetNumberOfVertices() const
 std::size_t vtkShadowCasters::GetNumberOfTriangles() const
 {
   return Sum(this->Casters, [](const vtkShadowMesh& m) { return m.GetNumberOfTriangles(); });
-}
-
-//------------------------------------------------------------------------------
-std::size_t vtkShadowCasters::GetNumberOfDroppedTriangles() const
-{
-  return Sum(this->Casters, [](const vtkShadowMesh& m) { return m.Dropped; });
-}
-
-//------------------------------------------------------------------------------
-std::size_t vtkShadowCasters::GetNumberOfTrianglesNotFinite() const
-{
-  return Sum(this->Casters, [](const vtkShadowMesh& m) { return m.NotFinite; });
 }
 
 //------------------------------------------------------------------------------

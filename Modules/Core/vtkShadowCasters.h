@@ -133,8 +133,10 @@ public:
 
   std::size_t GetNumberOfVertices() const;
   std::size_t GetNumberOfTriangles() const;
-  std::size_t GetNumberOfDroppedTriangles() const;
-  std::size_t GetNumberOfTrianglesNotFinite() const;
+  ///@{ Triangles that were degenerate or not finite, also of props that have no others and do not cast.
+  std::size_t GetNumberOfDroppedTriangles() const { return this->Dropped; }
+  std::size_t GetNumberOfTrianglesNotFinite() const { return this->NotFinite; }
+  ///@}
   /** Those that alpha leaves nothing of. */
   std::size_t GetNumberOfClearTriangles() const;
   /** How many casters have holes within their triangles. */
@@ -172,6 +174,8 @@ private:
   std::vector<std::array<glm::dvec3, 8>> Receivers;
   glm::dvec3 Origin{ 0.0 };
   double Size = 0.0;
+  std::size_t Dropped = 0;
+  std::size_t NotFinite = 0;
   unsigned long Version = 0;
   unsigned long MeshVersion = 0;
   unsigned long ReceiverVersion = 0;

@@ -33,6 +33,10 @@ constexpr int VectorsOfKernel = 5;
 
 /** A map's border that stays clear of casters, in texels: look-ups there find light. */
 constexpr double BorderTexels = 2.0;
+
+/** So many groups of casters get maps of their own; and for each of many samples. */
+constexpr int MostGroups = 4;
+constexpr int MostGroupsOfSample = 2;
 }
 
 //------------------------------------------------------------------------------
@@ -51,8 +55,12 @@ std::vector<vtkShadowMaps::View> vtkShadowMaps::MakeViews(
   vtkShadowFrame& frame, int index, LightState& state) const
 {
   const vtkShadowLight& light = frame.Lights[index];
-  const vtkLightFrusta frusta(
-    light, *frame.Casters, BorderTexels / this->Current.Resolution, this->Current.Neighbours);
+  vtkLightFrusta::Options options;
+  options.Border = BorderTexels / this->Current.Resolution;
+  options.Texel = 1.0 / this->Current.Resolution;
+  options.Neighbours = this->Current.Neighbours;
+  options.Groups = this->Current.Samples == 1 ? MostGroups : MostGroupsOfSample;
+  const vtkLightFrusta frusta(light, *frame.Casters, options);
   state.Casters = frusta.GetCasters();
   state.Extent = frusta.GetExtent();
   const auto& casters = state.Casters;
@@ -71,7 +79,7 @@ std::vector<vtkShadowMaps::View> vtkShadowMaps::MakeViews(
       views.push_back({ frustum, place.Weight, index });
     }
   }
-  state.Exceeded = views.size() > 1 && frusta.IsOverlapExceeded(*frame.Casters);
+  state.Exceeded = !views.empty() && views.front().Frustum.Face && frusta.IsOverlapExceeded(*frame.Casters);
   return views;
 }
 
@@ -112,7 +120,11 @@ bool vtkShadowMaps::Update(vtkShadowFrame& frame, const vtkShadowMapSettings& se
         same && static_cast<int>(made.size()) == this->Lights[i].Count &&
         state.Casters == this->Lights[i].Casters &&
         std::equal(made.begin(), made.end(), old,
-          [](const View& a, const View& b) { return a.Frustum.WCToClip == b.Frustum.WCToClip; });
+          [](const View& a, const View& b)
+          {
+            return a.Frustum.WCToClip == b.Frustum.WCToClip &&
+                   a.Frustum.Casters == b.Frustum.Casters;
+          });
     }
     state.Count = static_cast<int>(views.size()) - state.First;
     changed.push_back(!same || state.First != this->Lights[i].First);
@@ -243,7 +255,7 @@ void vtkShadowMaps::Draw(vtkShadowFrame& frame, int first, int count)
     target.SetLayer(i - this->BatchFirst);
     this->ClearLayer(state);
     const View& view = this->Views[i];
-    frame.Casters->Draw(frame.Window, view.Frustum.WCToClip, this->Lights[view.Light].Casters);
+    frame.Casters->Draw(frame.Window, view.Frustum.WCToClip, view.Frustum.Casters);
     state->vtkglDisable(GL_SCISSOR_TEST);
   }
 }
@@ -317,7 +329,7 @@ void vtkShadowMaps::DrawMidpoint(vtkShadowFrame& frame, int index)
     for (const bool sheet : { false, true })
     {
       std::vector<int> casters;
-      const auto& all = this->Lights[view.Light].Casters;
+      const auto& all = view.Frustum.Casters;
       std::copy_if(all.begin(), all.end(), std::back_inserter(casters),
         [&](int i) { return frame.Casters->Get()[i].Mesh->Sheet == sheet; });
       const auto setParameters = [&](vtkShaderProgram* program)

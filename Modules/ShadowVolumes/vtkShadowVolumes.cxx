@@ -98,7 +98,7 @@ void vtkShadowVolumes::Update(vtkShadowFrame& frame, const vtkShadowVolumeSettin
     const bool same = !all && state.Light.SameGeometry(light);
     if (!same || receiversMoved)
     {
-      const auto casters = vtkLightFrusta(light, *frame.Casters, 0.0).GetCasters();
+      const auto casters = vtkLightFrusta(light, *frame.Casters).GetCasters();
       if (!same || casters != state.Casters)
       {
         state.Light = light;

@@ -4,22 +4,29 @@
 
 #include "vtkActor.h"
 #include "vtkAreaLight.h"
+#include "vtkCellArray.h"
 #include "vtkCubeSource.h"
 #include "vtkLightFrusta.h"
 #include "vtkNew.h"
 #include "vtkPlaneSource.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderer.h"
 #include "vtkShadowCasters.h"
 #include "vtkShadowLight.h"
 #include "vtkShadowPass.h"
 #include "vtkSphereSource.h"
+#include "vtkTransform.h"
+#include "vtkTrivialProducer.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 namespace
@@ -80,7 +87,19 @@ public:
   }
   vtkLightFrusta GetFrusta(bool neighbours = false) const
   {
-    return vtkLightFrusta(this->Gathered, this->Casters, Border, neighbours);
+    vtkLightFrusta::Options options;
+    options.Border = Border;
+    options.Neighbours = neighbours;
+    return vtkLightFrusta(this->Gathered, this->Casters, options);
+  }
+  /** As maps of a resolution ask for them. */
+  vtkLightFrusta GetSteadyFrusta(int resolution = 512) const
+  {
+    vtkLightFrusta::Options options;
+    options.Border = 2.0 / resolution;
+    options.Texel = 1.0 / resolution;
+    options.Groups = 4;
+    return vtkLightFrusta(this->Gathered, this->Casters, options);
   }
   glm::dvec3 GetCentre() const
   {
@@ -481,6 +500,280 @@ void TestDirectional()
     CHECK(GetWindow(views.at(0)) < 100.0);
   }
 }
+
+//------------------------------------------------------------------------------
+// What casts nothing counts nowhere: neither triangles of no area at their actor's own origin, nor a
+// prop whose place is no number.
+void TestNothingCounts()
+{
+  const glm::dvec3 far(1e7, -1e7, 1e6);
+  Scene scene;
+  scene.AddBox(far, 1.0);
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  const vtkIdType ids[] = { points->InsertNextPoint(0.0, 0.0, 0.0),
+    points->InsertNextPoint(0.0, 0.0, 0.0), points->InsertNextPoint(0.0, 0.0, 0.0) };
+  cells->InsertNextCell(3, ids);
+  vtkNew<vtkPolyData> nothing;
+  nothing->SetPoints(points);
+  nothing->SetPolys(cells);
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(nothing);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(producer->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  scene.Renderer->AddActor(actor);
+  scene.AddBox(glm::dvec3(std::nan(""), 0.0, 0.0), 1.0);
+  scene.SetLight(far + glm::dvec3(1.0, 2.0, 6.0), far);
+  scene.Update();
+  CHECK_EQUAL(scene.Casters.Get().size(), std::size_t(1));
+  CHECK_EQUAL(scene.Casters.GetReceivers().size(), std::size_t(0));
+  CHECK_EQUAL(scene.Casters.GetNumberOfDroppedTriangles(), std::size_t(1));
+  CHECK_NEAR(scene.Casters.GetSize(), std::sqrt(3.0), 1e-6);
+  CHECK_NEAR(glm::length(scene.Casters.GetOrigin() - far), 0.0, 1e-6);
+}
+
+/** The range of some casters' boxes on a directional view's plane, as a window with borders. */
+glm::dvec2 GetHull(const Scene& scene, const vtkLightView& view, const std::vector<int>& casters)
+{
+  glm::dvec2 low(std::numeric_limits<double>::max());
+  glm::dvec2 high(std::numeric_limits<double>::lowest());
+  for (const int i : casters)
+  {
+    for (const auto& corner : scene.Casters.Get().at(i).Corners)
+    {
+      const glm::dvec2 p(glm::dot(corner, glm::normalize(view.WindowX)),
+        glm::dot(corner, glm::normalize(view.WindowY)));
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+    }
+  }
+  return high - low;
+}
+
+//------------------------------------------------------------------------------
+// Any number of walls over a ground a hundred times as large: the ground is left out, and a window is
+// never larger than what stands on it.
+void TestManyWalls()
+{
+  Scene scene;
+  vtkActor* ground = scene.AddFloor(glm::dvec3(0.0), 600.0);
+  scene.AddBox(glm::dvec3(0.0, 0.0, 0.5), 1.0);
+  scene.SetLight(glm::dvec3(3.0, -4.0, 8.0), glm::dvec3(0.0));
+  scene.Light->PositionalOff();
+  glm::dvec2 last(0.0);
+  for (int n = 0; n < 300; ++n)
+  {
+    scene.Update();
+    const vtkLightFrusta frusta = scene.GetFrusta();
+    for (const int i : frusta.GetCasters())
+    {
+      CHECK(scene.Casters.Get().at(i).Prop != ground);
+    }
+    const auto view = frusta.GetViews(scene.GetCentre()).at(0);
+    const glm::dvec2 window =
+      glm::dvec2(glm::length(view.WindowX), glm::length(view.WindowY)) / (1.0 + 2.0 * Border);
+    const glm::dvec2 hull = GetHull(scene, view, frusta.GetCasters());
+    CHECK(window.x < hull.x + 1e-9 && window.y < hull.y + 1e-9);
+    CHECK(n < 2 || (window.x < last.x + 0.2 && window.y < last.y + 0.2));
+    last = window;
+    vtkActor* wall = scene.AddFloor(glm::dvec3(-1.5 + 0.01 * n, 1.5, 0.2), 0.1);
+    wall->RotateX(7.0 * n); // no two alike
+  }
+}
+
+//------------------------------------------------------------------------------
+// A ground of two thousand tiles, level or not, counts no more than one in a piece.
+void TestTiles()
+{
+  for (const double slope : { 0.0, 20.0 })
+  {
+    Scene scene;
+    vtkNew<vtkTransform> transform;
+    transform->RotateX(slope);
+    for (int i = 0; i < 2025; ++i)
+    {
+      scene.AddFloor(glm::dvec3(10.0 * (i % 45 - 22), 10.0 * (i / 45 - 22), 0.0), 10.0)
+        ->SetUserTransform(transform);
+    }
+    scene.AddBox(glm::dvec3(0.0, 0.0, 0.5), 1.0)->SetUserTransform(transform);
+    scene.SetLight(glm::dvec3(2.0, 1.0, 5.0), glm::dvec3(0.0));
+    scene.Light->PositionalOff();
+    scene.Update();
+    const auto views = scene.GetFrusta().GetViews(scene.GetCentre());
+    CHECK_EQUAL(views.size(), std::size_t(1));
+    CHECK(GetWindow(views.at(0)) < 4.0);
+  }
+}
+
+//------------------------------------------------------------------------------
+// What moves far away moves no texel: groups with room between them have views of their own. Nearby
+// there is one view.
+void TestGroups()
+{
+  for (const bool positional : { false, true })
+  {
+    Scene scene;
+    scene.AddFloor(glm::dvec3(0.0), 100.0);
+    scene.AddBox(glm::dvec3(0.0, 0.0, 1.0), 2.0);
+    vtkActor* ball = scene.AddSphere(glm::dvec3(0.0), 0.5);
+    scene.SetLight(glm::dvec3(6.0, -8.0, 20.0), glm::dvec3(0.0));
+    scene.Light->SetShapeToPoint();
+    scene.Light->SetPositional(positional);
+    glm::dmat4 still(0.0);
+    for (int i = 0; i < 12; ++i)
+    {
+      ball->SetPosition(9.0 + 2.0 * std::cos(0.5 * i), 3.0 * std::sin(0.5 * i), 1.0 + 0.1 * i);
+      scene.Update();
+      const auto views = scene.GetSteadyFrusta().GetViews(scene.GetCentre());
+      CHECK_EQUAL(views.size(), std::size_t(2));
+      const vtkLightView& first = views.at(views.at(0).Casters.at(0) == 1 ? 0 : 1);
+      CHECK_EQUAL(first.Casters.size(), std::size_t(1));
+      CHECK_EQUAL(first.Casters.at(0), 1);
+      CHECK(i == 0 || first.WCToClip == still);
+      still = first.WCToClip;
+      for (const auto& view : views)
+      {
+        int inside = 0;
+        for (const int other : { 1, 2 })
+        {
+          for (const auto& corner : scene.Casters.Get().at(other).Corners)
+          {
+            inside += IsInside(view, corner, 0.0) ? 1 : 0;
+          }
+        }
+        CHECK_EQUAL(inside, 8); // its own
+      }
+    }
+    ball->SetPosition(2.0, 0.0, 1.0);
+    scene.Update();
+    CHECK_EQUAL(scene.GetSteadyFrusta().GetViews(scene.GetCentre()).size(), std::size_t(1));
+  }
+}
+
+//------------------------------------------------------------------------------
+// A window around several casters takes steps: what moves in it moves the others' texels by whole ones,
+// but where its size steps, which is seldom. No step is more than 9 %, and one caster alone is hugged.
+void TestSteps()
+{
+  constexpr int Resolution = 512;
+  for (const bool positional : { false, true })
+  {
+    Scene scene;
+    scene.AddBox(glm::dvec3(0.0, 0.0, 1.0), 2.0);
+    scene.SetLight(glm::dvec3(6.0, -8.0, 20.0), glm::dvec3(0.0));
+    scene.Light->SetShapeToPoint();
+    scene.Light->SetPositional(positional);
+    scene.Update();
+    const auto alone = scene.GetSteadyFrusta(Resolution).GetViews(scene.GetCentre()).at(0);
+    vtkActor* ball = scene.AddSphere(glm::dvec3(0.0), 0.3);
+    int steps = 0;
+    double sides[2] = { 0.0, 0.0 };
+    double places[2] = { 0.0, 0.0 };
+    for (int i = 0; i < 200; ++i)
+    {
+      const double angle = 0.01 * i;
+      ball->SetPosition(1.8 * std::cos(angle), 1.8 * std::sin(angle), 1.0 + 0.002 * i);
+      scene.Update();
+      const auto views = scene.GetSteadyFrusta(Resolution).GetViews(scene.GetCentre());
+      CHECK_EQUAL(views.size(), std::size_t(1));
+      const auto& view = views.at(0);
+      glm::dvec2 low(1.0);
+      glm::dvec2 high(-1.0);
+      for (const auto& caster : scene.Casters.Get())
+      {
+        for (const auto& corner : caster.Corners)
+        {
+          CHECK(IsInside(view, corner, 3.0 / Resolution));
+          const glm::dvec4 clip = view.WCToClip * glm::dvec4(corner, 1.0);
+          low = glm::min(low, glm::dvec2(clip) / clip.w);
+          high = glm::max(high, glm::dvec2(clip) / clip.w);
+        }
+      }
+      const double least = 2.0 / std::exp2(0.125) - 8.0 / Resolution;
+      CHECK(high.x - low.x > least && high.y - low.y > least);
+      // A fixed point in texels.
+      const glm::dvec4 clip =
+        view.WCToClip * glm::dvec4(scene.Casters.Get().at(0).Corners[0], 1.0);
+      for (int axis = 0; axis < 2; ++axis)
+      {
+        const double side = glm::length(axis == 0 ? view.WindowX : view.WindowY);
+        const double place = 0.5 * Resolution * clip[axis] / clip.w;
+        const double moved = place - places[axis];
+        const bool same = std::abs(side / sides[axis] - 1.0) < 1e-9;
+        steps += same ? 0 : 1;
+        CHECK(!same || std::abs(moved - std::round(moved)) < 1e-6);
+        sides[axis] = side;
+        places[axis] = place;
+      }
+    }
+    CHECK(steps <= 16); // not once a frame
+    // One of no size within the other's box takes nothing from it.
+    ball->SetScale(1e-3);
+    ball->SetPosition(0.0, 0.0, 1.0);
+    scene.Update();
+    const auto views = scene.GetSteadyFrusta(Resolution).GetViews(scene.GetCentre());
+    CHECK_NEAR(GetWindow(views.at(0)) / GetWindow(alone), 1.0, 1e-9);
+  }
+}
+
+//------------------------------------------------------------------------------
+// A sky or a room around the light and everything else can shadow nothing: it is left out. One that is
+// not closed stays, and nothing near the light is clipped for its sake.
+void TestShell()
+{
+  const auto build = [](Scene& scene)
+  {
+    scene.AddBox(glm::dvec3(0.0, 0.0, 0.5), 1.0);
+    scene.AddFloor(glm::dvec3(0.0), 6.0);
+    scene.SetLight(glm::dvec3(0.5, 1.0, 3.0), glm::dvec3(0.0));
+    scene.Light->SetShapeToSphere();
+    scene.Light->SetRadius(0.2);
+    scene.Update();
+  };
+  Scene open;
+  build(open);
+  const auto expected = open.GetFrusta().GetViews(open.GetCentre());
+  CHECK_EQUAL(expected.size(), std::size_t(1));
+  for (const double size : { 10.0, 1e6 })
+  {
+    for (const bool room : { false, true })
+    {
+      Scene scene;
+      vtkActor* shell = room ? scene.AddBox(glm::dvec3(0.0), 2.0 * size)
+                             : scene.AddSphere(glm::dvec3(0.0), size);
+      build(scene);
+      const vtkLightFrusta frusta = scene.GetFrusta();
+      CHECK_EQUAL(frusta.GetCasters().size(), std::size_t(2)); // the floor shadows the shell
+      for (const int i : frusta.GetCasters())
+      {
+        CHECK(scene.Casters.Get().at(i).Prop != shell);
+      }
+      CHECK_NEAR(frusta.GetExtent(), open.GetFrusta().GetExtent(), 1e-6);
+      // What stands out of it keeps it in.
+      scene.AddBox(glm::dvec3(size, 0.0, 0.0), 1.0);
+      scene.Update();
+      CHECK_EQUAL(scene.GetFrusta().GetCasters().size(), std::size_t(4));
+    }
+    Scene dome;
+    vtkNew<vtkSphereSource> most;
+    most->SetRadius(size);
+    most->SetEndPhi(120.0);
+    dome.AddSource(most);
+    build(dome);
+    const auto views = dome.GetFrusta().GetViews(dome.GetCentre());
+    CHECK(dome.GetFrusta().GetCasters().size() == std::size_t(3));
+    for (std::size_t i = 1; i < 3; ++i)
+    {
+      for (const auto& corner : dome.Casters.Get().at(i).Corners)
+      {
+        CHECK(std::any_of(views.begin(), views.end(),
+          [&corner](const vtkLightView& view) { return IsInside(view, corner, 0.0); }));
+      }
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -497,5 +790,11 @@ int TestLightFrusta(int, char*[])
   TestCone();
   TestNeighbours();
   TestDirectional();
+  TestNothingCounts();
+  TestManyWalls();
+  TestTiles();
+  TestGroups();
+  TestSteps();
+  TestShell();
   return ShadowTesting::Result();
 }

@@ -1,0 +1,172 @@
+// What a map holds must not show in the picture: things that move far away, many flat things, things
+// that cast nothing, a sky around everything.
+
+#include "ShadowStage.h"
+#include "ShadowTest.h"
+
+#include "vtkCellArray.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkShadowTechniques.h"
+#include "vtkSphereSource.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace
+{
+bool IsMap(const std::string& technique)
+{
+  return technique.compare(0, 4, "map-") == 0;
+}
+
+/** At its defaults. */
+void SetPass(ShadowStage& stage, const std::string& technique)
+{
+  stage.Pass.TakeReference(vtkShadowTechniques::Create(technique));
+  stage.Renderer->SetPass(stage.Pass);
+}
+
+/** Pixels at which two differ by more. */
+int CountOff(const Visibility& a, const Visibility& b, float bound)
+{
+  int count = 0;
+  for (std::size_t i = 0; i < a.V.size(); ++i)
+  {
+    count += a.Mask[i] && b.Mask[i] && std::abs(a.V[i] - b.V[i]) > bound ? 1 : 0;
+  }
+  return count;
+}
+}
+
+//------------------------------------------------------------------------------
+// A ball moves outside of the picture; not a pixel's visibility of what stands still changes by more
+// than a quarter. Layers along planes have one window each, which such a ball may widen.
+SHADOW_TEST(Frusta, WhatStandsStillDoesNotShimmer, Each)
+{
+  for (const bool positional : { false, true })
+  {
+    const LightKind kind = positional ? LightKind::Point : LightKind::Directional;
+    if (!ShadowStage::Supports(technique, kind) ||
+      (ShadowStage::Describe(technique).PlanarReceivers &&
+        ShadowStage::HasParameter(technique, "resolution")))
+    {
+      continue;
+    }
+    ShadowStage stage(320, 240);
+    stage.AddFloor(40.0);
+    stage.AddBox({ 0.0, 0.0, 2.0 }, { 2.0, 2.0, 4.0 });
+    vtkActor* ball = stage.AddSphere({ 0.0, 0.0, 0.0 }, 0.8);
+    stage.AddLight(kind, { 5.0, -6.0, 30.0 }, { 0.0, 0.0, 0.0 });
+    stage.LookAt({ -9.0, -12.0, 9.0 }, { -2.0, 1.0, 0.6 }, 30.0);
+    SetPass(stage, technique);
+    Visibility first;
+    int off = 0;
+    for (int i = 0; i < 8; ++i)
+    {
+      const double angle = 2.0 * 3.14159265 / 8.0 * i;
+      ball->SetPosition(
+        14.0 + 3.0 * std::cos(angle), -10.0 + 4.0 * std::sin(angle), 3.0 + std::sin(3.0 * angle));
+      stage.Render();
+      const Visibility visibility = stage.GetVisibility();
+      first = i == 0 ? visibility : first;
+      off = std::max(off, CountOff(visibility, first, 0.25f));
+    }
+    ShadowTest::CheckAtMost(off, 2.0, "pixels that change");
+    ShadowTest::CheckAtMost(
+      *std::min_element(first.V.begin(), first.V.end()), 0.0, "there is a shadow");
+  }
+}
+
+//------------------------------------------------------------------------------
+// A ground a hundred times the scene, and ever more small walls: shadows do not coarsen at once.
+SHADOW_TEST(Frusta, ManyFlatCasters, Each)
+{
+  Visibility few;
+  for (const int count : { 62, 65, 200 })
+  {
+    ShadowStage stage(240, 180);
+    stage.AddFloor(300.0);
+    stage.AddBox({ 0.0, 0.0, 0.75 }, { 1.0, 1.0, 1.5 });
+    for (int i = 0; i < count; ++i)
+    {
+      stage.AddQuad({ -3.0 + 0.03 * i, 3.0, 0.2 }, { 0.02, 0.0, 0.0 }, { 0.0, 0.02, 0.0 });
+    }
+    stage.AddLight(LightKind::Directional, { 3.0, -4.0, 8.0 }, { 0.0, 0.0, 0.0 });
+    stage.LookAt({ 0.0, -9.0, 6.0 }, { 0.0, 0.0, 0.0 }, 30.0);
+    SetPass(stage, technique);
+    stage.Render();
+    const Visibility visibility = stage.GetVisibility();
+    few = count == 62 ? visibility : few;
+    ShadowTest::CheckAtMost(
+      CountOff(visibility, few, 0.5f), 40.0, "pixels that change with " + std::to_string(count));
+  }
+}
+
+//------------------------------------------------------------------------------
+// A triangle of no area, far away: no pixel changes.
+SHADOW_TEST(Frusta, WhatCastsNothingCountsNowhere, Each)
+{
+  const auto show = [&technique](bool more)
+  {
+    Placement place;
+    place.Offset = glm::dvec3(1e6, -1e6, 1e5);
+    return RenderVisibility(technique, {},
+      [more](ShadowStage& stage)
+      {
+        stage.AddThings();
+        stage.AddLight(LightKind::Point);
+        if (more)
+        {
+          vtkNew<vtkPoints> points;
+          vtkNew<vtkCellArray> cells;
+          cells->InsertNextCell(3);
+          for (int i = 0; i < 3; ++i)
+          {
+            cells->InsertCellPoint(points->InsertNextPoint(0.0, 0.0, 0.0));
+          }
+          vtkNew<vtkPolyData> nothing;
+          nothing->SetPoints(points);
+          nothing->SetPolys(cells);
+          stage.Add(nothing)->SetPosition(-1e6, 1e6, -1e5);
+        }
+      },
+      place);
+  };
+  ShadowTest::Check(Same(show(true), show(false)), "it makes a difference");
+}
+
+//------------------------------------------------------------------------------
+// A sky ten thousand times as far as everything else, with the light in it, whole or open below: but for
+// edges maps are what they are without it. The floor then casts, and an open sky too: they take
+// resolution.
+SHADOW_TEST(Frusta, SkyAround, Each)
+{
+  if (!IsMap(technique))
+  {
+    return;
+  }
+  const auto show = [&technique](double endPhi)
+  {
+    return RenderVisibility(technique, { { "resolution", "1024" } },
+      [endPhi](ShadowStage& stage)
+      {
+        stage.AddThings();
+        stage.AddLight(LightKind::Point, { 1.0, -1.0, 4.0 }, { 0.0, 0.0, 0.0 });
+        if (endPhi > 0.0)
+        {
+          vtkNew<vtkSphereSource> sky;
+          sky->SetRadius(1e4);
+          sky->SetEndPhi(endPhi);
+          sky->Update();
+          stage.Add(sky->GetOutput());
+        }
+      });
+  };
+  const Visibility without = show(0.0);
+  ShadowTest::CheckAtMost(CountOff(show(180.0), without, 0.5f), 40.0, "pixels off with a sky");
+  ShadowTest::CheckAtMost(CountOff(show(120.0), without, 0.5f), 250.0, "pixels off with a dome");
+  ShadowTest::CheckAtMost(
+    *std::min_element(without.V.begin(), without.V.end()), 0.0, "there is a shadow");
+}
