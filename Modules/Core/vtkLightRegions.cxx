@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 namespace
@@ -22,6 +23,9 @@ namespace
  */
 constexpr std::size_t MostBoxes = 1048576;
 constexpr std::size_t MostBoxesInView = 262144;
+
+/** What sizes may differ by and still count as the same. */
+constexpr double Rounding = 1e-6;
 
 /** Groups get views of their own where the room between them is this share of both together. */
 constexpr double LeastRoom = 0.25;
@@ -135,7 +139,7 @@ struct Item
   bool Plane;
 };
 
-/** Room that is wide enough, or none. */
+/** Room that is wide enough, or none. Rounding does not choose between rooms of one size. */
 Room FindRoom(const std::vector<Item>& items, double least)
 {
   Room found;
@@ -151,7 +155,7 @@ Room FindRoom(const std::vector<Item>& items, double least)
     double end = 0.0;
     for (const auto& range : ranges)
     {
-      if (range.first - high > widest)
+      if (range.first - high > (1.0 + Rounding) * widest)
       {
         widest = range.first - high;
         end = range.first;
@@ -159,7 +163,7 @@ Room FindRoom(const std::vector<Item>& items, double least)
       high = std::max(high, range.second);
     }
     const double share = widest / (high - ranges.front().first);
-    if (widest >= least && share >= LeastRoom && share > found.Share)
+    if (widest >= least && share > LeastRoom - Rounding && share > found.Share + Rounding)
     {
       found = { share, axis, end };
     }
@@ -246,7 +250,7 @@ bool vtkLightRegions::Region::IsBefore(const Box& box, double tolerance) const
 bool vtkLightRegions::Region::IsBefore(const Box& box) const
 {
   // Touching is not behind: floors under things that stand on them.
-  return this->IsBefore(box, 1e-6 * glm::length(box[7] - box[0]));
+  return this->IsBefore(box, Rounding * glm::length(box[7] - box[0]));
 }
 
 //------------------------------------------------------------------------------
@@ -364,12 +368,12 @@ vtkLightRegions::vtkLightRegions(const vtkShadowLight& light, const vtkShadowCas
     scene[k] = glm::mix(whole.Low, whole.High, glm::bvec3(k & 1, k & 2, k & 4));
   }
 
-  std::vector<std::pair<double, int>> order; // the largest first
+  std::vector<std::pair<float, int>> order; // the largest first; rounding is not to choose
   for (std::size_t i = 0; i < all.size(); ++i)
   {
     if (all[i].IsSeenBy(light)) // else it is something to be shadowed for this part of the light
     {
-      order.emplace_back(-all[i].GetRadius(), static_cast<int>(i));
+      order.emplace_back(-static_cast<float>(all[i].GetRadius()), static_cast<int>(i));
     }
   }
   std::sort(order.begin(), order.end());
@@ -443,7 +447,7 @@ std::vector<vtkLightRegions::Group> vtkLightRegions::GetGroups(
 {
   std::vector<Range> windows(this->Boxes.size());
   std::transform(this->Boxes.begin(), this->Boxes.end(), windows.begin(), project);
-  const WindowTree tree(windows);
+  std::unique_ptr<WindowTree> tree;
   std::size_t looked = 0;
   std::vector<Item> items;
   Range whole; // what bodies need, and larger flats: what lies in it needs no closer look
@@ -461,7 +465,11 @@ std::vector<vtkLightRegions::Group> vtkLightRegions::GetGroups(
     if (region.Plane && own.ReachesOver(whole) && looked < MostBoxesInView)
     {
       item.Needed = Range();
-      tree.ForEach(
+      if (!tree)
+      {
+        tree = std::make_unique<WindowTree>(windows);
+      }
+      tree->ForEach(
         [&](const Range& window)
         {
           const Range common = own.Window(window, overlap);
