@@ -193,7 +193,7 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
     return false;
   }
 
-  const std::string& rule = my.Values["translucent-casters"];
+  const std::string rule = this->GetText("translucent-casters");
   const bool changed = my.Casters.Update(renderer,
     rule == "off"      ? vtkTranslucentCasters::Off
     : rule == "opaque" ? vtkTranslucentCasters::Opaque
@@ -253,7 +253,7 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
       return false;
     }
   }
-  const std::string choice = my.Values["evaluation"];
+  const std::string choice = this->GetText("evaluation");
   const bool canForward = this->CanEvaluateForward();
   if (choice == "forward" && !canForward)
   {

@@ -3,7 +3,7 @@
  * @brief   Base of all shadow passes: what VTK draws, with each light's colour times its visibility.
  *
  * @code{.cpp}
- * auto pass = vtkSmartPointer<vtkShadowPass>::Take(vtkShadowTechniques::Create("map-soft"));
+ * auto pass = vtkSmartPointer<vtkShadowPass>::Take(vtkShadowTechniques::Create("map-pcss"));
  * renderer->SetPass(pass);
  * @endcode
  *
@@ -51,6 +51,7 @@ struct vtkShadowFrame;
 struct vtkShadowLight;
 struct vtkShadowParameter;
 struct vtkShadowTechnique;
+struct vtkShadowValue;
 
 class VTKSOFTSHADOWSCORE_EXPORT vtkShadowPass : public vtkOpenGLRenderPass
 {
@@ -79,9 +80,12 @@ public:
 
   ///@{
   /**
-   * Parameters as text, as vtkShadowTechniques::Describe lists them. SetParameter gives false, with
-   * an error that names the choices, for an unknown name or a value that is out of range;
-   * GetParameter gives "", with an error, for an unknown name.
+   * Parameters as text, as vtkShadowTechniques::Describe lists them. Numbers have a decimal point,
+   * whatever the program's locale; a whole number may be written in any way (64, 64.0, 6.4e1); a
+   * boolean is on, true or 1, or off, false or 0. SetParameter gives false, with an error that names
+   * the choices, for an unknown name or a value that is out of range, and changes nothing then.
+   * GetParameter gives the value, a whole number or a boolean in its plain form (64, on), or "", with
+   * an error, for an unknown name.
    */
   bool SetParameter(const std::string& name, const std::string& value);
   std::string GetParameter(const std::string& name);
@@ -165,12 +169,14 @@ public:
    * viewport: "Visibility", float, 1 component (3 for a textured light), 1 where nothing is seen;
    * "Receiver", unsigned char, 1 where a surface is seen that is lit and receives, else 0. Translucent
    * surfaces are seen through, but not shadow catchers.
-   * The light is given by itself or by its place among the lights that cast here (those that are on,
-   * supported by the technique, and not beyond the sixteenth). A pass that evaluates forward draws the
-   * receivers for it, at the first call after a frame, of the scene and camera as they are then; a
-   * light that casts no shadow gives 1.
-   * The image is the pass's own and stays until the next call; nullptr, with an error, before the
-   * first frame.
+   * The light is given by itself or by its number, from 0: first the lights that cast here (those
+   * that are on, supported by the technique, and not beyond the sixteenth), then the renderer's
+   * others. A light that casts no shadow gives 1, and so does number 0 where there is no light at all.
+   * A pass that evaluates forward draws the receivers for it, at the first call after a frame, of the
+   * scene and camera as they are then.
+   * Each call makes an image of its own. The pass keeps it until the next call for the same light;
+   * whoever needs it longer holds a reference, as vtkSmartPointer and Python do. nullptr, with an
+   * error, before the first frame and for a light that is not there.
    */
   vtkImageData* GetVisibility(int light);
   vtkImageData* GetVisibility(vtkLight* light);
@@ -256,7 +262,10 @@ protected:
   //@}
 
   //@{
-  /** Whether the technique declares a parameter; and values of declared ones. */
+  /**
+   * Whether the technique declares a parameter; and values of declared ones. To ask for another is an
+   * error, and gives 0 or "".
+   */
   bool HasParameter(const std::string& name) const;
   int GetInteger(const std::string& name);
   double GetReal(const std::string& name);
@@ -295,6 +304,7 @@ private:
 
   void SetQuality(int level);
   const vtkShadowParameter* FindParameter(const std::string& name) const;
+  const vtkShadowValue& GetValue(const std::string& name);
 
   void Attach(vtkRenderer* renderer);
   void ReleaseWhenRemoved(vtkObject* caller, unsigned long event, void* data);
@@ -307,7 +317,8 @@ private:
   void MarkProps(bool mark);
   void RenderDelegate(const vtkRenderState* s);
   void DrawDebug();
-  vtkImageData* GetVisibilityOf(const std::function<bool(const vtkShadowLight&, int)>& isMeant);
+  bool UpdateVisibility();
+  vtkImageData* MakeVisibility(vtkLight* light);
 
   class Internals;
   std::unique_ptr<Internals> Internal;

@@ -34,6 +34,13 @@ public:
   void Render(const vtkRenderState*) override {}
 };
 
+/** A parameter's value, read once, when it is set. */
+struct vtkShadowValue
+{
+  std::string Text;    // as it was set; a whole number or a boolean in its plain form
+  double Number = 0.0; // 1 for on
+};
+
 class vtkShadowPass::Internals
 {
 public:
@@ -42,7 +49,7 @@ public:
 
   // Settings.
   const vtkShadowTechnique* Technique = nullptr;
-  std::map<std::string, std::string> Values;
+  std::map<std::string, vtkShadowValue> Values;
   vtkTimeStamp ParameterTime;
   std::string DebugView = "none";
   vtkSmartPointer<vtkRenderPass> Delegate;
@@ -89,8 +96,11 @@ public:
   bool Holding = false; // GPU resources, perhaps
   bool Drawn = false;   // in the renderer's frame that is going on
 
-  vtkNew<vtkImageData> VisibilityImage;
+  /** The last that GetVisibility gave of each light. */
+  std::map<const vtkLight*, vtkSmartPointer<vtkImageData>> VisibilityImages;
 
+  /** The lights in the order of their numbers, as GetVisibility takes them. */
+  std::vector<vtkLight*> GetLights() const;
   /** Lights' uniforms of vtkShadowLightsFS.glsl. */
   void SetLights(vtkShaderProgram* program);
   /** What turns a fragment's place into the buffers' pixel: a larger picture shows it elsewhere. */

@@ -1,11 +1,13 @@
 // The settings of vtkShadowPass: technique, parameters, debug view, statistics.
 
+#include "vtkShadowNumber.h"
 #include "vtkShadowPassInternals.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdlib>
+#include <cmath>
+#include <optional>
 #include <sstream>
 
 namespace
@@ -20,47 +22,63 @@ std::string Join(const std::vector<std::string>& words)
   return text;
 }
 
-/** The value in its plain form, or "" if it is not one of this parameter. */
-std::string Normalize(const vtkShadowParameter& parameter, const std::string& value)
+std::string JoinNames(const std::map<std::string, vtkShadowValue>& values)
+{
+  std::vector<std::string> names;
+  for (const auto& entry : values)
+  {
+    names.push_back(entry.first);
+  }
+  return Join(names);
+}
+
+/** What a text says as a value of a parameter; nothing if it cannot be one. */
+std::optional<vtkShadowValue> Read(const vtkShadowParameter& parameter, const std::string& text)
 {
   using Type = vtkShadowParameter::Type;
   if (parameter.ValueType == Type::Boolean)
   {
-    const bool on = value == "on" || value == "true" || value == "1";
-    const bool off = value == "off" || value == "false" || value == "0";
-    return on ? "on" : (off ? "off" : "");
+    if (text == "on" || text == "true" || text == "1")
+    {
+      return vtkShadowValue{ "on", 1.0 };
+    }
+    if (text == "off" || text == "false" || text == "0")
+    {
+      return vtkShadowValue{ "off", 0.0 };
+    }
+    return std::nullopt;
   }
   if (parameter.ValueType == Type::Choice)
   {
     const auto& choices = parameter.Choices;
-    return std::find(choices.begin(), choices.end(), value) != choices.end() ? value : "";
+    const bool known = std::find(choices.begin(), choices.end(), text) != choices.end();
+    return known ? std::optional(vtkShadowValue{ text, 0.0 }) : std::nullopt;
   }
-  char* end = nullptr;
-  const double number = std::strtod(value.c_str(), &end);
-  const bool whole = parameter.ValueType != Type::Integer || number == std::floor(number);
-  // The comparisons are false for NaN.
-  const bool valid = !value.empty() && *end == '\0' && whole && number >= parameter.Minimum &&
-                     number <= parameter.Maximum;
-  return valid ? value : "";
+  const auto number = vtkShadowNumber::Parse(text);
+  const bool valid = number && *number >= parameter.Minimum && *number <= parameter.Maximum &&
+                     (parameter.ValueType != Type::Integer || *number == std::trunc(*number));
+  if (!valid)
+  {
+    return std::nullopt;
+  }
+  const bool real = parameter.ValueType == Type::Real;
+  return vtkShadowValue{ real ? text : vtkShadowNumber::Print(*number), *number };
 }
 
 std::string DescribeRange(const vtkShadowParameter& parameter)
 {
   using Type = vtkShadowParameter::Type;
-  std::ostringstream text;
   switch (parameter.ValueType)
   {
     case Type::Boolean:
-      text << "on or off";
-      break;
+      return "on or off";
     case Type::Choice:
-      text << "one of: " << Join(parameter.Choices);
-      break;
+      return "one of: " + Join(parameter.Choices);
     default:
-      text << (parameter.ValueType == Type::Integer ? "a whole number" : "a number") << " from "
-           << parameter.Minimum << " to " << parameter.Maximum;
+      return (parameter.ValueType == Type::Integer ? "a whole number from " : "a number from ") +
+             vtkShadowNumber::Print(parameter.Minimum) + " to " +
+             vtkShadowNumber::Print(parameter.Maximum);
   }
-  return text.str();
 }
 }
 
@@ -94,7 +112,16 @@ bool vtkShadowPass::SetTechnique(const std::string& name)
   const vtkShadowTechnique* technique = vtkShadowTechniqueRegistration::Find(name);
   if (!technique || technique->ClassName != this->GetClassName())
   {
-    vtkErrorMacro("'" << name << "' is not a technique of " << this->GetClassName() << ".");
+    std::vector<std::string> known;
+    for (const auto& entry : vtkShadowTechniqueRegistration::GetAll())
+    {
+      if (entry.second.ClassName == this->GetClassName())
+      {
+        known.push_back(entry.first);
+      }
+    }
+    vtkErrorMacro("'" << name << "' is not a technique of " << this->GetClassName()
+                      << ". Known: " << Join(known) << ".");
     return false;
   }
   this->Internal->Technique = technique;
@@ -103,7 +130,8 @@ bool vtkShadowPass::SetTechnique(const std::string& name)
   {
     for (const auto& parameter : *list)
     {
-      this->Internal->Values[parameter.Name] = parameter.Default;
+      this->Internal->Values[parameter.Name] =
+        Read(parameter, parameter.Default).value_or(vtkShadowValue{ parameter.Default, 0.0 });
     }
   }
   this->Internal->DebugView = "none";
@@ -145,26 +173,23 @@ bool vtkShadowPass::SetParameter(const std::string& name, const std::string& val
   const vtkShadowParameter* parameter = this->FindParameter(name);
   if (!parameter)
   {
-    std::vector<std::string> known;
-    for (const auto& entry : this->Internal->Values)
-    {
-      known.push_back(entry.first);
-    }
     vtkErrorMacro(<< this->GetTechnique() << " has no parameter '" << name
-                  << "'. Known: " << Join(known) << ".");
+                  << "'. Known: " << JoinNames(this->Internal->Values) << ".");
     return false;
   }
-  const std::string plain = Normalize(*parameter, value);
-  if (plain.empty())
+  const auto read = Read(*parameter, value);
+  if (!read)
   {
     vtkErrorMacro(<< this->GetTechnique() << ": parameter '" << name << "' cannot be '" << value
                   << "'; it is " << DescribeRange(*parameter) << ".");
     return false;
   }
-  std::string& current = this->Internal->Values[name];
-  if (current != plain)
+  vtkShadowValue& current = this->Internal->Values[name];
+  const bool choice = parameter->ValueType == vtkShadowParameter::Type::Choice;
+  const bool changed = choice ? current.Text != read->Text : current.Number != read->Number;
+  current = *read;
+  if (changed)
   {
-    current = plain;
     this->Internal->Said.clear();
     this->Internal->ParameterTime.Modified();
     this->Modified();
@@ -175,12 +200,7 @@ bool vtkShadowPass::SetParameter(const std::string& name, const std::string& val
 //------------------------------------------------------------------------------
 std::string vtkShadowPass::GetParameter(const std::string& name)
 {
-  if (!this->FindParameter(name))
-  {
-    vtkErrorMacro(<< this->GetTechnique() << " has no parameter '" << name << "'.");
-    return "";
-  }
-  return this->Internal->Values[name];
+  return this->GetValue(name).Text;
 }
 
 //------------------------------------------------------------------------------
@@ -206,27 +226,41 @@ bool vtkShadowPass::HasParameter(const std::string& name) const
 }
 
 //------------------------------------------------------------------------------
+const vtkShadowValue& vtkShadowPass::GetValue(const std::string& name)
+{
+  const auto found = this->Internal->Values.find(name);
+  if (found == this->Internal->Values.end())
+  {
+    static const vtkShadowValue none;
+    vtkErrorMacro(<< this->GetTechnique() << " has no parameter '" << name
+                  << "'. Known: " << JoinNames(this->Internal->Values) << ".");
+    return none;
+  }
+  return found->second;
+}
+
+//------------------------------------------------------------------------------
 int vtkShadowPass::GetInteger(const std::string& name)
 {
-  return static_cast<int>(this->GetReal(name));
+  return static_cast<int>(this->GetValue(name).Number);
 }
 
 //------------------------------------------------------------------------------
 double vtkShadowPass::GetReal(const std::string& name)
 {
-  return std::strtod(this->Internal->Values[name].c_str(), nullptr);
+  return this->GetValue(name).Number;
 }
 
 //------------------------------------------------------------------------------
 bool vtkShadowPass::GetBoolean(const std::string& name)
 {
-  return this->Internal->Values[name] == "on";
+  return this->GetValue(name).Number != 0.0;
 }
 
 //------------------------------------------------------------------------------
 std::string vtkShadowPass::GetText(const std::string& name)
 {
-  return this->Internal->Values[name];
+  return this->GetValue(name).Text;
 }
 
 //------------------------------------------------------------------------------
@@ -372,7 +406,7 @@ void vtkShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Technique: " << this->GetTechnique() << "\n";
   for (const auto& entry : this->Internal->Values)
   {
-    os << indent << entry.first << ": " << entry.second << "\n";
+    os << indent << entry.first << ": " << entry.second.Text << "\n";
   }
   os << indent << "DebugView: " << this->Internal->DebugView << "\n";
   os << indent << "DefaultLightRadius: " << this->DefaultLightRadius << "\n";

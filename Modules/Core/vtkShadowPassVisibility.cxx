@@ -5,6 +5,8 @@
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkOpenGLActor.h"
 #include "vtkOpenGLState.h"
 #include "vtkPointData.h"
@@ -18,6 +20,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace
@@ -363,26 +366,77 @@ void vtkShadowPass::DrawDebug()
 //------------------------------------------------------------------------------
 vtkImageData* vtkShadowPass::GetVisibility(vtkLight* light)
 {
-  return this->GetVisibilityOf(
-    [light](const vtkShadowLight& part, int) { return part.Light == light; });
+  if (!this->UpdateVisibility())
+  {
+    return nullptr;
+  }
+  const auto lights = this->Internal->GetLights();
+  if (std::find(lights.begin(), lights.end(), light) == lights.end())
+  {
+    vtkErrorMacro("GetVisibility: the light is not in the renderer, which has "
+      << std::to_string(lights.size()) << ".");
+    return nullptr;
+  }
+  return this->MakeVisibility(light);
 }
 
 //------------------------------------------------------------------------------
 vtkImageData* vtkShadowPass::GetVisibility(int light)
 {
-  return this->GetVisibilityOf(
-    [light](const vtkShadowLight&, int number) { return number == light; });
+  if (!this->UpdateVisibility())
+  {
+    return nullptr;
+  }
+  const auto lights = this->Internal->GetLights();
+  const int count = static_cast<int>(lights.size());
+  if (count == 0 && light == 0)
+  {
+    return this->MakeVisibility(nullptr); // nothing is lit
+  }
+  if (light < 0 || light >= count)
+  {
+    vtkErrorMacro("GetVisibility: there is no light "
+      << std::to_string(light) << ". "
+      << (count == 0 ? "The renderer has none."
+                     : "Those of the renderer are 0 to " + std::to_string(count - 1) + "."));
+    return nullptr;
+  }
+  return this->MakeVisibility(lights[light]);
 }
 
 //------------------------------------------------------------------------------
-vtkImageData* vtkShadowPass::GetVisibilityOf(
-  const std::function<bool(const vtkShadowLight&, int)>& isMeant)
+// Those that cast in the frame, then the renderer's others. The former may be gone since.
+std::vector<vtkLight*> vtkShadowPass::Internals::GetLights() const
+{
+  std::vector<vtkLight*> lights;
+  for (const auto& part : this->Frame.Lights)
+  {
+    if (lights.empty() || lights.back() != part.Light)
+    {
+      lights.push_back(part.Light);
+    }
+  }
+  vtkCollectionSimpleIterator cookie;
+  vtkLightCollection* all = this->Renderer->GetLights();
+  all->InitTraversal(cookie);
+  while (vtkLight* light = all->GetNextLight(cookie))
+  {
+    if (std::find(lights.begin(), lights.end(), light) == lights.end())
+    {
+      lights.push_back(light);
+    }
+  }
+  return lights;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::UpdateVisibility()
 {
   Internals& my = *this->Internal;
   if (!my.Window || !my.Renderer || !my.Holding)
   {
     vtkErrorMacro("GetVisibility: there is no frame; render with this pass first.");
-    return nullptr;
+    return false;
   }
   my.Window->MakeCurrent();
   my.BufferAskedFor = true;
@@ -408,10 +462,13 @@ vtkImageData* vtkShadowPass::GetVisibilityOf(
     my.Frame.Counts = counts;
     state->Pop();
   }
-  if (!my.BufferValid)
-  {
-    return nullptr; // EvaluateVisibility has reported why
-  }
+  return my.BufferValid; // EvaluateVisibility has reported why not
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkShadowPass::MakeVisibility(vtkLight* light)
+{
+  Internals& my = *this->Internal;
   const int width = my.Buffer.GetWidth();
   const int height = my.Buffer.GetHeight();
   const int stored = my.Buffer.GetComponents();
@@ -424,14 +481,11 @@ vtkImageData* vtkShadowPass::GetVisibilityOf(
   visibility->SetNumberOfComponents(components);
   visibility->SetNumberOfTuples(pixels);
   visibility->Fill(1.0);
-  int number = -1; // of the light that a part belongs to
   for (std::size_t part = 0; my.Active && part < my.Frame.Lights.size(); ++part)
   {
-    const vtkShadowLight& light = my.Frame.Lights[part];
-    number += part == 0 || light.Slot != my.Frame.Lights[part - 1].Slot ? 1 : 0;
-    if (isMeant(light, number))
+    if (my.Frame.Lights[part].Light == light)
     {
-      const float share = static_cast<float>(light.Share);
+      const float share = static_cast<float>(my.Frame.Lights[part].Share);
       const auto values = my.Buffer.ReadTarget(my.Window, static_cast<int>(part));
       float* sum = visibility->GetPointer(0);
       for (vtkIdType i = 0; i < pixels * components; ++i)
@@ -449,9 +503,17 @@ vtkImageData* vtkShadowPass::GetVisibilityOf(
   {
     mask->SetValue(i, receivers[i].w != 0.0f);
   }
-  my.VisibilityImage->Initialize();
-  my.VisibilityImage->SetDimensions(width, height, 1);
-  my.VisibilityImage->GetPointData()->SetScalars(visibility);
-  my.VisibilityImage->GetPointData()->AddArray(mask);
-  return my.VisibilityImage;
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(width, height, 1);
+  image->GetPointData()->SetScalars(visibility);
+  image->GetPointData()->AddArray(mask);
+  // One is kept for each light that there still is.
+  const auto lights = my.GetLights();
+  for (auto kept = my.VisibilityImages.begin(); kept != my.VisibilityImages.end();)
+  {
+    const bool gone = std::find(lights.begin(), lights.end(), kept->first) == lights.end();
+    kept = gone ? my.VisibilityImages.erase(kept) : std::next(kept);
+  }
+  my.VisibilityImages[light] = image;
+  return image;
 }

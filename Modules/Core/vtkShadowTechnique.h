@@ -8,6 +8,7 @@
 #include "vtkSoftShadowsCoreModule.h" // For export macro
 
 #include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -79,8 +80,12 @@ class VTKSOFTSHADOWSCORE_EXPORT vtkShadowTechniqueRegistration
 public:
   explicit vtkShadowTechniqueRegistration(vtkShadowTechnique technique);
 
-  /** All registered techniques, sorted by name. */
-  static const std::vector<vtkShadowTechnique>& GetAll();
+  using Registry = std::map<std::string, vtkShadowTechnique>;
+  /**
+   * All registered techniques by name. Passes and callers keep pointers to what stands here: an
+   * entry neither moves nor changes when another family is loaded.
+   */
+  static const Registry& GetAll();
   /** A technique by name, nullptr where there is none. */
   static const vtkShadowTechnique* Find(const std::string& name);
 };

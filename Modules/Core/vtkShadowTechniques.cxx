@@ -6,16 +6,16 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
+#include <iterator>
 
 vtkStandardNewMacro(vtkShadowTechniques);
 
 namespace
 {
 // Function-local, so that it exists before the first family registers, whatever the load order.
-std::vector<vtkShadowTechnique>& Registry()
+vtkShadowTechniqueRegistration::Registry& GetRegistry()
 {
-  static std::vector<vtkShadowTechnique> techniques;
+  static vtkShadowTechniqueRegistration::Registry techniques;
   return techniques;
 }
 
@@ -25,9 +25,9 @@ const vtkShadowTechnique* FindOrReport(const std::string& name)
   if (!technique)
   {
     std::string known;
-    for (const auto& other : Registry())
+    for (const auto& other : GetRegistry())
     {
-      known += (known.empty() ? "" : ", ") + other.Name;
+      known += (known.empty() ? "" : ", ") + other.first;
     }
     vtkErrorWithObjectMacro(nullptr,
       "Unknown shadow technique '"
@@ -96,29 +96,21 @@ nlohmann::ordered_json ToJson(const vtkShadowParameter& parameter)
 //------------------------------------------------------------------------------
 vtkShadowTechniqueRegistration::vtkShadowTechniqueRegistration(vtkShadowTechnique technique)
 {
-  auto& all = Registry();
-  const auto place = std::lower_bound(all.begin(), all.end(), technique,
-    [](const vtkShadowTechnique& a, const vtkShadowTechnique& b) { return a.Name < b.Name; });
-  all.insert(place, std::move(technique));
+  const std::string name = technique.Name;
+  GetRegistry().emplace(name, std::move(technique));
 }
 
 //------------------------------------------------------------------------------
-const std::vector<vtkShadowTechnique>& vtkShadowTechniqueRegistration::GetAll()
+const vtkShadowTechniqueRegistration::Registry& vtkShadowTechniqueRegistration::GetAll()
 {
-  return Registry();
+  return GetRegistry();
 }
 
 //------------------------------------------------------------------------------
 const vtkShadowTechnique* vtkShadowTechniqueRegistration::Find(const std::string& name)
 {
-  for (const auto& technique : Registry())
-  {
-    if (technique.Name == name)
-    {
-      return &technique;
-    }
-  }
-  return nullptr;
+  const auto found = GetRegistry().find(name);
+  return found == GetRegistry().end() ? nullptr : &found->second;
 }
 
 //------------------------------------------------------------------------------
@@ -137,7 +129,7 @@ vtkShadowPass* vtkShadowTechniques::Create(const std::string& name)
 //------------------------------------------------------------------------------
 int vtkShadowTechniques::GetNumberOfTechniques()
 {
-  return static_cast<int>(Registry().size());
+  return static_cast<int>(GetRegistry().size());
 }
 
 //------------------------------------------------------------------------------
@@ -150,7 +142,7 @@ const char* vtkShadowTechniques::GetName(int i)
                                        << vtkShadowTechniques::GetNumberOfTechniques() << ".");
     return nullptr;
   }
-  return Registry()[i].Name.c_str();
+  return std::next(GetRegistry().begin(), i)->first.c_str();
 }
 
 //------------------------------------------------------------------------------

@@ -3,7 +3,7 @@
  * @brief   The shadow techniques by name: make one, list them, describe them.
  *
  * @code{.cpp}
- * auto pass = vtkSmartPointer<vtkShadowPass>::Take(vtkShadowTechniques::Create("map-soft"));
+ * auto pass = vtkSmartPointer<vtkShadowPass>::Take(vtkShadowTechniques::Create("map-pcss"));
  * renderer->SetPass(pass);
  * @endcode
  *

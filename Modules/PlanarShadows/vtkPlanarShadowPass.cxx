@@ -60,7 +60,11 @@ int vtkPlanarShadowPass::GetNumberOfPlanes()
 //------------------------------------------------------------------------------
 int vtkPlanarShadowPass::GetResolution(const vtkShadowFrame& frame)
 {
-  int resolution = this->HasParameter("resolution") ? this->GetInteger("resolution") : 1;
+  if (!this->HasParameter("resolution"))
+  {
+    return 1;
+  }
+  int resolution = this->GetInteger("resolution");
   if (resolution == 0)
   {
     // About a texel a pixel where the shadow fills the picture; in powers of two, so that a window
@@ -71,6 +75,7 @@ int vtkPlanarShadowPass::GetResolution(const vtkShadowFrame& frame)
       resolution *= 2;
     }
   }
+  resolution = std::max(16, resolution); // a smaller layer has no middle within its border
   int largest = resolution;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
   if (resolution > largest)
@@ -100,6 +105,10 @@ bool vtkPlanarShadowPass::UpdateLightData(vtkShadowFrame& frame)
   frame.Counts["planes"] = planes;
   frame.Counts["planesFound"] = this->Planes->GetFound();
   frame.Counts["planesLeftOut"] = this->Planes->GetFound() - planes;
+  if (planes == 0)
+  {
+    this->WarnOnce("nothing receives a shadow: no prop is flat, and no plane is given (AddPlane).");
+  }
   if (!this->Maps->Update(frame, *this->Planes, changed, settings))
   {
     const std::string width =

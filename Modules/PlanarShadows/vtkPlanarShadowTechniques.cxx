@@ -19,7 +19,8 @@ vtkShadowTechniqueAutoInit(VTKSOFTSHADOWSPLANARSHADOWS_EXPORT, vtkSoftShadowsPla
   vtkShadowParameter Resolution()
   {
     return { "resolution", Type::Integer, "1024", 0, 16384, {}, "texels",
-      "Side of a plane's layer; 0: the power of two next to the picture's longer side, 512 to 4096",
+      "Side of a plane's layer, 16 at least (less counts as 16); 0: the power of two next to the "
+      "picture's longer side, 512 to 4096",
       { "512", "1024", "1024", "2048" } };
   }
 

@@ -4,6 +4,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkShadowFrame.h"
+#include "vtkShadowMapParameters.h"
 #include "vtkShadowMapViewFS.h"
 #include "vtkShadowMaps.h"
 #include "vtkShadowMapsFS.h"
@@ -43,6 +44,7 @@ bool vtkDepthMapShadowPass::UpdateMaps(vtkShadowFrame& frame, int samples, doubl
       settings.Resolution *= 2;
     }
   }
+  settings.Resolution = std::max(vtkShadowMapParameters::LeastResolution, settings.Resolution);
   int largest = settings.Resolution;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
   if (settings.Resolution > largest)

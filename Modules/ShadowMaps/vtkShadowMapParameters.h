@@ -11,10 +11,14 @@
 
 namespace vtkShadowMapParameters
 {
+/** Casters are kept off a map's border of two texels: smaller maps have no middle. */
+constexpr int LeastResolution = 16;
+
 inline vtkShadowParameter Resolution(const char* value, std::vector<std::string> presets)
 {
   return { "resolution", vtkShadowParameter::Type::Integer, value, 0, 16384, {}, "texels",
-    "Side of a depth map; 0: the power of two next to the picture's longer side, 512 to 4096",
+    "Side of a depth map, 16 at least (less counts as 16); 0: the power of two next to the picture's "
+    "longer side, 512 to 4096",
     std::move(presets) };
 }
 

@@ -134,14 +134,20 @@ class Visibility(TestCase):
         for name in technique_names():
             shadows = create(name)
             scene.render(shadows)
-            first_seen = visibility(shadows, 0).copy()
-            second_seen = visibility(shadows, 1).copy()
+            first_seen, second_seen = [visibility(shadows, i) for i in range(2)]
             np.testing.assert_array_equal(visibility(shadows, scene.light), first_seen)
             np.testing.assert_array_equal(visibility(shadows, second), second_seen)
             self.assertGreater(np.mean(first_seen != second_seen), 0.02)
-            # A light that casts no shadow, known or not, sees everything.
-            self.assertTrue((visibility(shadows, 2) == 1).all())
-            self.assertTrue((visibility(shadows, vtkLight()) == 1).all())
+            # A light that casts no shadow sees everything, one that is not there is told.
+            second.SwitchOff()
+            scene.render(shadows)
+            self.assertTrue((visibility(shadows, 1) == 1).all())
+            self.assertTrue((visibility(shadows, second) == 1).all())
+            second.SwitchOn()
+            self.assertIsNone(shadows.GetVisibility(2))
+            self.assertIn("0 to 1", self.errors())
+            self.assertIsNone(shadows.GetVisibility(vtkLight()))
+            self.assertIn("not in the renderer", self.errors())
 
     def test_evaluations_agree(self):
         for name in technique_names():
