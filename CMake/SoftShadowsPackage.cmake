@@ -29,7 +29,9 @@ if (NOT BUILD_SHARED_LIBS)
     string(APPEND softshadows_find_dependencies "find_dependency(OpenMesh)\n")
   endif ()
   if (SOFTSHADOWS_RAY_TRACING)
-    string(APPEND softshadows_find_dependencies "find_dependency(embree 3)\n")
+    string(APPEND softshadows_find_dependencies
+      "find_dependency(embree 3)\n"
+      "find_dependency(TBB COMPONENTS tbb)\n")
   endif ()
   if (SOFTSHADOWS_IMAGE_METRICS)
     string(APPEND softshadows_find_dependencies "find_dependency(OpenImageIO)\n")

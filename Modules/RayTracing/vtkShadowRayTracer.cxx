@@ -1,6 +1,5 @@
 #include "vtkShadowRayTracer.h"
 
-#include "vtkSMPTools.h"
 #include "vtkShadowCasters.h"
 #include "vtkShadowLight.h"
 #include "vtkShadowSampling.h"
@@ -10,6 +9,9 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/mat4x4.hpp>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
@@ -357,10 +359,10 @@ double vtkShadowRayTracer::Trace(const vtkShadowLight& light, const glm::dvec3& 
   const Patterns patterns(light, light.IsPoint() ? 1 : samples, seed);
   const glm::dvec3 place = light.IsDirectional() ? -light.Direction : light.Position - origin;
   std::atomic<std::size_t> traced{ 0 };
-  const auto work = [&](vtkIdType begin, vtkIdType end)
+  const auto work = [&](const tbb::blocked_range<std::size_t>& range)
   {
     std::size_t pixels = 0;
-    for (vtkIdType i = begin; i < end; ++i)
+    for (std::size_t i = range.begin(); i < range.end(); ++i)
     {
       const Receiver& receiver = receivers[i];
       glm::dvec3 visible(0.0);
@@ -377,8 +379,10 @@ double vtkShadowRayTracer::Trace(const vtkShadowLight& light, const glm::dvec3& 
     }
     traced += pixels;
   };
-  // VTK's threads, whatever the program's own choice of backend is, for this call alone.
-  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 0, "STDThread", false },
-    [&]() { vtkSMPTools::For(0, static_cast<vtkIdType>(receivers.size()), 1024, work); });
+  // All cores, in an arena of this call's own: vtkSMPTools' backend is the whole program's, and may be
+  // one thread.
+  tbb::task_arena arena;
+  arena.execute(
+    [&]() { tbb::parallel_for(tbb::blocked_range<std::size_t>(0, receivers.size(), 256), work); });
   return static_cast<double>(traced) * patterns.Samples;
 }
