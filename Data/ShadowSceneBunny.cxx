@@ -22,6 +22,8 @@
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
 
+#include <dlfcn.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -38,6 +40,20 @@ namespace
 std::string Note;
 
 //------------------------------------------------------------------------------
+// The folder of the library that this is in, or of the program where it is linked into that.
+fs::path GetLibraryDirectory()
+{
+  Dl_info info = {};
+  std::error_code error;
+  fs::path library = dladdr(&Note, &info) ? fs::canonical(info.dli_fname, error) : fs::path();
+  if (library.empty()) // such as a program that was found by PATH
+  {
+    library = fs::read_symlink("/proc/self/exe", error);
+  }
+  return library.parent_path();
+}
+
+//------------------------------------------------------------------------------
 // The directory that holds bunny.ply, or an empty path and a note.
 fs::path FindModelDirectory()
 {
@@ -47,8 +63,10 @@ fs::path FindModelDirectory()
   {
     places.emplace_back(environment);
   }
-  places.emplace_back(SOFTSHADOWS_DATA_BUILD_DIR);
-  places.emplace_back(SOFTSHADOWS_DATA_INSTALL_DIR);
+  // As installed; then as built, or beside a program.
+  const fs::path library = GetLibraryDirectory();
+  places.push_back((library / SOFTSHADOWS_DATA_FROM_LIBRARY).lexically_normal());
+  places.push_back(library.parent_path() / "share" / "softshadows" / "models");
   std::string looked;
   for (const fs::path& place : places)
   {

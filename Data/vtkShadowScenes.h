@@ -7,9 +7,9 @@
  * deterministic: the same name gives the same triangles on every run.
  *
  * The scenes `bunny` and `huge` use bunny.ply, which Data/fetch-models brings. It is looked for in
- * the directory that the environment variable SOFTSHADOWS_DATA names, then in the build's and the
- * installation's share/softshadows/models. If it is nowhere, a procedural model stands in and
- * GetModelNote() says so.
+ * the directory that the environment variable SOFTSHADOWS_DATA names, then in share/softshadows/models
+ * of the installation or build that the library lies in. If it is nowhere, a procedural model stands
+ * in and GetModelNote() says so.
  */
 
 #ifndef vtkShadowScenes_h
