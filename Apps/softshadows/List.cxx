@@ -3,6 +3,7 @@
 #include "Errors.h"
 #include "Techniques.h"
 
+#include "vtkShadowNumber.h"
 #include "vtkShadowScenes.h"
 
 #include <CLI/App.hpp>
@@ -12,7 +13,6 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
-#include <sstream>
 
 namespace
 {
@@ -37,22 +37,18 @@ std::string Join(const Json& words, const char* between)
 /** The values that a parameter takes, for a reader. */
 std::string DescribeRange(const Json& parameter)
 {
-  std::ostringstream text;
+  std::string text = "on|off";
   if (parameter.contains("choices"))
   {
-    text << Join(parameter["choices"], "|");
+    text = Join(parameter["choices"], "|");
   }
   else if (parameter.contains("minimum"))
   {
-    text << parameter["minimum"].get<double>() << " to " << parameter["maximum"].get<double>();
-  }
-  else
-  {
-    text << "on|off";
+    text = vtkShadowNumber::Print(parameter["minimum"]) + " to " +
+           vtkShadowNumber::Print(parameter["maximum"]);
   }
   const std::string unit = parameter.value("unit", "");
-  text << (unit.empty() ? "" : " ") << unit;
-  return text.str();
+  return text + (unit.empty() ? "" : " ") + unit;
 }
 
 void PrintTechnique(const Json& technique)

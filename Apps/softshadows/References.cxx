@@ -8,6 +8,7 @@
 #include "vtkAreaLight.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
+#include "vtkShadowNumber.h"
 
 #include <algorithm>
 #include <string>
@@ -44,7 +45,7 @@ Reference Draw(OffscreenWindow& window, vtkShadowPass* pass, vtkAreaLight* light
     constexpr int few = 16;
     pass->SetParameter("samples", std::to_string(few));
     window.Render(); // sets all up
-    expected = window.Render() / few * std::stod(samples);
+    expected = window.Render() / few * vtkShadowNumber::Parse(samples).value_or(0.0);
     pass->SetParameter("samples", samples);
   }
   {

@@ -29,7 +29,7 @@ struct RenderOptions
 {
   SceneOptions Scene;
   TechniqueOptions Parameters;
-  std::string Technique = "map-soft";
+  std::string Technique = "map-pcss";
   std::string DebugView;
   std::string Picture;
   std::string Visibility;
@@ -190,7 +190,8 @@ void DeclareRender(CLI::App& app)
   options->Scene.Declare(*command);
   command
     ->add_option("--technique", options->Technique,
-      "Which technique (default map-soft; see \"softshadows list\"), or none: no shadows")
+      "Which technique (default " + options->Technique +
+        "; see \"softshadows list\"), or none: no shadows")
     ->type_name("NAME")
     ->group("Technique");
   options->Parameters.Declare(*command);

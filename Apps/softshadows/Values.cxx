@@ -2,13 +2,14 @@
 
 #include "Errors.h"
 
+#include "vtkShadowNumber.h"
+
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <sstream>
 
@@ -17,9 +18,9 @@ namespace Values
 //------------------------------------------------------------------------------
 bool ParseNumber(const std::string& text, double& value)
 {
-  char* end = nullptr;
-  value = std::strtod(text.c_str(), &end);
-  return !text.empty() && *end == '\0' && std::isfinite(value);
+  const auto number = vtkShadowNumber::Parse(text);
+  value = number.value_or(0.0);
+  return number.has_value();
 }
 
 //------------------------------------------------------------------------------

@@ -62,7 +62,7 @@ int main(int argc, char* argv[])
   light->SetShadowAttenuation(0.8f); // not quite black
   renderer->AddLight(light);
 
-  auto shadows = vtkSmartPointer<vtkShadowPass>::Take(vtkShadowTechniques::Create("map-soft"));
+  auto shadows = vtkSmartPointer<vtkShadowPass>::Take(vtkShadowTechniques::Create("map-pcss"));
   renderer->SetPass(shadows);
 
   vtkCamera* camera = renderer->GetActiveCamera();

@@ -41,7 +41,7 @@ light.SetRadius(0.5)
 light.SetShadowAttenuation(0.8)  # not quite black
 renderer.AddLight(light)
 
-shadows = vtksoftshadows.vtkShadowTechniques.Create("map-soft")
+shadows = vtksoftshadows.vtkShadowTechniques.Create("map-pcss")
 renderer.SetPass(shadows)
 
 camera = renderer.GetActiveCamera()

@@ -143,7 +143,7 @@ class Render(CommandTest):
         with open(self.path("stats.json")) as file:
             stats = json.load(file)
         self.assertEqual(json.loads(result.stdout), stats)
-        self.assertEqual(stats["technique"], "map-soft")
+        self.assertEqual(stats["technique"], "map-pcss")
         self.assertEqual(stats["parameters"]["samples"], "4")
         self.assertEqual(stats["size"], [160, 120])
         self.assertEqual(stats["scene"]["triangles"], 4)

@@ -2,6 +2,8 @@
 
 #include "References.h"
 
+#include "vtkShadowNumber.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -105,7 +107,8 @@ bool IsRaster(const Json& entry)
 
 double GetRays(const Point& point)
 {
-  return std::stod((*point.Entry)["parameters"]["samples"].get<std::string>());
+  const auto samples = (*point.Entry)["parameters"]["samples"].get<std::string>();
+  return vtkShadowNumber::Parse(samples).value_or(0.0);
 }
 
 //------------------------------------------------------------------------------
