@@ -50,6 +50,8 @@ set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
 set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
+# A build can be moved.
+set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)
 set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
 
 # Warnings for our own sources; wrapping sources that VTK generates are not ours.
@@ -58,6 +60,9 @@ function (softshadows_warnings target)
   get_target_property(aliased "${target}" ALIASED_TARGET)
   if (aliased)
     set(target "${aliased}")
+    # What is installed tells nothing of this machine: VTK's messages name their source file.
+    target_compile_options("${target}" PRIVATE
+      "$<$<CXX_COMPILER_ID:GNU,Clang>:-fmacro-prefix-map=${CMAKE_SOURCE_DIR}/=>")
   endif ()
   target_compile_options("${target}" PRIVATE
     $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>

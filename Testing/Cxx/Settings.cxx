@@ -291,7 +291,8 @@ SHADOW_TEST(Settings, VisibilityOfEachLight, Each)
     values[i] = CopyValues(images[i]);
   }
   ShadowTest::Check(values[0] != values[1], "two lights have the same V");
-  ShadowTest::CheckEqual(*std::min_element(values[2].begin(), values[2].end()), 1.0, "V of the light that is off");
+  ShadowTest::CheckEqual(
+    *std::min_element(values[2].begin(), values[2].end()), 1.0, "V of the light that is off");
   for (int i = 0; i < 3; ++i)
   {
     // Another of the same light, while the first is held.

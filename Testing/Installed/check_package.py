@@ -19,6 +19,12 @@ if os.path.exists("/proc/self/maps"):
     with open("/proc/self/maps", encoding="utf-8") as maps:
         loaded = {line.split()[-1] for line in maps if "vtkSoftShadows" in line}
     assert loaded, "no library of the package is loaded"
+    # Nor does one know where it was built, but for a debugger.
+    source = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))).encode()
+    for path in loaded:
+        with open(path, "rb") as library:
+            content = library.read()
+        assert source not in content or b".debug_info" in content, path
     strangers = [path for path in loaded if not path.startswith(prefix + os.sep)]
     assert not strangers, strangers
 print(place, *known)
