@@ -73,7 +73,7 @@ bool vtkShadowInjection::Code::operator==(const Code& other) const
 {
   return this->Declarations == other.Declarations && this->LightsOfSlot == other.LightsOfSlot &&
          this->Receivers == other.Receivers && this->Shading == other.Shading &&
-         this->Unrolled == other.Unrolled;
+         this->Unrolled == other.Unrolled && this->Rigid == other.Rigid;
 }
 
 //------------------------------------------------------------------------------
@@ -221,6 +221,19 @@ private:
     return false;
   }
 
+  ///@{ The shader's position and normal in VC.
+  std::string GetPosition() const
+  {
+    return this->Content.Rigid ? this->Position + ".xyz"
+                               : "(shadowVTKToVC * " + this->Position + ".xyz)";
+  }
+  std::string GetNormal() const
+  {
+    return this->Content.Rigid ? "normalVCVSOutput"
+                               : "normalize(normalVCVSOutput * inverse(shadowVTKToVC))";
+  }
+  ///@}
+
   bool HasShadow(std::size_t slot) const
   {
     return this->Positioned && this->Content.Shading && slot < this->Content.LightsOfSlot.size() &&
@@ -264,11 +277,12 @@ private:
       this->Inserted.Add(this->Place, this->Colors);
       return;
     }
-    this->Declarations = this->Content.Declarations;
-    this->Inserted.Add(this->Flow, "  vec3 shadowDxVC = dFdx(" + this->Position +
-        ".xyz);\n  vec3 shadowDyVC = dFdy(" + this->Position + ".xyz);\n");
+    this->Declarations = this->Content.Declarations +
+      (this->Content.Rigid ? "" : "uniform mat3 shadowVTKToVC; // where VTK's is not rigid\n");
+    this->Inserted.Add(this->Flow, "  vec3 shadowDxVC = dFdx(" + this->GetPosition() +
+        ");\n  vec3 shadowDyVC = dFdy(" + this->GetPosition() + ");\n");
     std::string body = this->Imposter
-      ? "  vec3 shadowNormalVC = normalVCVSOutput;\n"
+      ? "  vec3 shadowNormalVC = " + this->GetNormal() + ";\n"
       : "  vec3 shadowNormalVC = shadowGeometricNormal(shadowDxVC, shadowDyVC);\n";
     if (this->Content.Shading)
     {
@@ -276,8 +290,8 @@ private:
       body += "  SHADOW_VISIBILITY shadowFactors[SHADOW_LIGHTS];\n";
       const auto call = [this](const std::string& light)
       {
-        return "  shadowFactors[" + light + "] = shadowFactor(" + light + ", " + this->Position +
-          ".xyz, shadowNormalVC, shadowFootprint);\n";
+        return "  shadowFactors[" + light + "] = shadowFactor(" + light + ", " +
+          this->GetPosition() + ", shadowNormalVC, shadowFootprint);\n";
       };
       if (this->Content.Unrolled)
       {
@@ -328,13 +342,14 @@ private:
                                            : this->Known.GetMainEnd();
     const bool hasNormal =
       this->Known.GetDeclaration("vec3", "normalVCVSOutput", place) != Text::None;
+    const std::string normal = hasNormal ? this->GetNormal() : "vec3(0.0, 0.0, 1.0)";
     this->Inserted.Add(place, "  if (shadowWritesReceivers)\n"
                               "  {\n"
                               "    gl_FragData[0] = " +
-        (this->Positioned ? "vec4(" + this->Position +
-              ".xyz, !shadowReceives ? 0.0 :\n"
+        (this->Positioned ? "vec4(" + this->GetPosition() +
+              ", !shadowReceives ? 0.0 :\n"
               "      (shadowCasts ? 1.0 : -1.0) * shadowPackNormal(shadowNormalVC == vec3(0.0) ? " +
-              (hasNormal ? "normalVCVSOutput" : "vec3(0.0, 0.0, 1.0)") + " : shadowNormalVC))"
+              normal + " : shadowNormalVC))"
                           : "vec4(0.0)") +
         ";\n"
         "    return;\n"

@@ -19,6 +19,7 @@ struct Code
   bool Receivers = false;                     // the shader can write receivers
   bool Shading = false;                       // the shader can multiply lights
   bool Unrolled = false;                      // each light's code is there for itself
+  bool Rigid = true; // VTK's view coordinates are VC: see vtkShadowFrame
 
   /** All parts of all casting lights. */
   std::size_t GetNumberOfLights() const;

@@ -18,6 +18,7 @@
 #include "vtkShadowPassInternals.h"
 #include "vtkShadowVTKVersion.h"
 
+#include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
@@ -228,20 +229,31 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
     [](const vtkShadowLight& light) { return light.Emission != nullptr; });
   frame.Hard = my.Technique->Hard || std::all_of(frame.Lights.begin(), frame.Lights.end(),
                                        [](const vtkShadowLight& light) { return light.IsPoint(); });
-  const glm::dmat4 worldToVC = glm::transpose(
-    glm::make_mat4(renderer->GetActiveCamera()->GetModelViewTransformMatrix()->GetData()));
-  frame.VCToWC = glm::translate(glm::dmat4(1.0), -my.Casters.GetOrigin()) * glm::inverse(worldToVC);
   vtkCamera* camera = renderer->GetActiveCamera();
+  glm::dmat4 VTKToClip(1.0);
   if (auto* glCamera = vtkOpenGLCamera::SafeDownCast(camera))
   {
     vtkMatrix4x4 *wcvc, *vcdc, *wcdc; // transposed already, and the camera's own
     vtkMatrix3x3* normals;
     glCamera->GetKeyMatrices(renderer, wcvc, normals, vcdc, wcdc);
-    frame.VCToClip = glm::make_mat4(vcdc->GetData());
+    VTKToClip = glm::make_mat4(vcdc->GetData());
+  }
+  if (!frame.SetCamera(
+        glm::transpose(glm::make_mat4(camera->GetModelViewTransformMatrix()->GetData())), VTKToClip))
+  {
+    this->WarnOnce("drawn without shadows: the camera's view transform flattens, is not finite, or "
+                   "is not affine.");
+    return false;
   }
   frame.LeastRounding =
     my.Casters.GetSize() / 4194304.0 +
-    (camera->GetParallelProjection() ? camera->GetParallelScale() / 524288.0 : 0.0);
+    (frame.IsParallel() ? 0.5 * my.Size[1] * glm::length(frame.GetPixelVC(1)) / 524288.0 : 0.0);
+  if (!frame.Rigid)
+  {
+    // An error in VTK's view coordinates grows by as much as they are stretched.
+    const double farthest = glm::length(glm::dvec3(frame.VCToWC[3])) + my.Casters.GetSize();
+    frame.LeastRounding += (frame.GetStretch() - 1.0) * farthest / 2097152.0;
+  }
   if (my.Size[0] <= 0 || my.Size[1] <= 0)
   {
     return false;

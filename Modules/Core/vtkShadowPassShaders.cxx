@@ -15,7 +15,9 @@
 #include "vtkShadowPassInternals.h"
 #include "vtkShadowVTKVersion.h"
 
+#include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/mat2x2.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
@@ -92,33 +94,32 @@ void vtkShadowPass::Internals::SetLights(vtkShaderProgram* program)
 void vtkShadowPass::Internals::SetToPixel(
   vtkShaderProgram* program, const std::array<int, 4>& viewport)
 {
-  // From one picture's plane to the other's, both at distance 1: p = plane * [x, y] + offset.
-  const auto getPlane = [](const glm::dmat4& vcToClip)
-  {
-    const glm::dvec2 offset = vcToClip[3][3] != 0.0 ? glm::dvec2(vcToClip[3]) / vcToClip[3][3]
-                                                    : glm::dvec2(vcToClip[2]) / vcToClip[2][3];
-    return glm::dmat3(glm::dvec3(vcToClip[0].x, vcToClip[0].y, 0.0),
-      glm::dvec3(vcToClip[1].x, vcToClip[1].y, 0.0), glm::dvec3(offset, 1.0));
-  };
-  const auto getPixels = [](double x, double y, double width, double height) // from -1..1
-  {
-    return glm::dmat3(
-      0.5 * width, 0.0, 0.0, 0.0, 0.5 * height, 0.0, x + 0.5 * width, y + 0.5 * height, 1.0);
-  };
-  glm::dmat3 toPixel(1.0);
-  toPixel[2] = glm::dvec3(-viewport[0], -viewport[1], 1.0);
+  glm::vec4 scaleAndOffset(1.0, 1.0, -viewport[0], -viewport[1]);
   auto* camera = vtkOpenGLCamera::SafeDownCast(this->Renderer->GetActiveCamera());
   if (camera && (viewport[2] != this->Size[0] || viewport[3] != this->Size[1]))
   {
     vtkMatrix4x4 *wcvc, *vcdc, *wcdc;
     vtkMatrix3x3* normals;
     camera->GetKeyMatrices(this->Renderer, wcvc, normals, vcdc, wcdc);
-    toPixel = getPixels(0.0, 0.0, this->Size[0], this->Size[1]) * getPlane(this->Frame.VCToClip) *
-              glm::inverse(getPixels(viewport[0], viewport[1], viewport[2], viewport[3]) *
-                           getPlane(glm::make_mat4(vcdc->GetData())));
+    const glm::dmat4 drawn =
+      glm::make_mat4(vcdc->GetData()) * glm::dmat4(glm::inverse(this->Frame.VTKToVC));
+    const glm::dvec4 w = glm::row(drawn, 3);
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      // The views differ in their angle alone: a row of the one is scale * (its row in the other) +
+      // offset * w. Solved for both, by least squares of what is equal.
+      const glm::dvec4 from = glm::row(drawn, axis);
+      const glm::dvec4 to = glm::row(this->Frame.VCToClip, axis);
+      const glm::dmat2 products(
+        glm::dot(from, from), glm::dot(from, w), glm::dot(from, w), glm::dot(w, w));
+      const glm::dvec2 fit = glm::inverse(products) * glm::dvec2(glm::dot(to, from), glm::dot(to, w));
+      const double size = 0.5 * this->Size[axis];
+      const double scale = size * fit.x * 2.0 / viewport[2 + axis];
+      scaleAndOffset[axis] = static_cast<float>(scale);
+      scaleAndOffset[2 + axis] = static_cast<float>(
+        size * (1.0 + fit.y - fit.x) - scale * viewport[axis]);
+    }
   }
-  // The views differ in their angle and place in the window alone: a scale and an offset.
-  const glm::vec4 scaleAndOffset(toPixel[0][0], toPixel[1][1], toPixel[2][0], toPixel[2][1]);
   program->SetUniform4f("shadowToPixel", glm::value_ptr(scaleAndOffset));
 }
 
@@ -176,6 +177,7 @@ void vtkShadowPass::UpdateInjection(bool writesReceivers)
   vtkShadowInjection::Code code;
   code.Receivers = writesReceivers || (my.Active && my.ScreenSpace);
   code.Shading = my.Active && (my.ScreenSpace || !writesReceivers);
+  code.Rigid = my.Frame.Rigid || !my.Active;
   if (code.Receivers || code.Shading)
   {
     const bool forward = code.Shading && !my.ScreenSpace;
@@ -263,14 +265,17 @@ bool vtkShadowPass::SetShaderParameters(
     program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
     glRenderer->UpdateLightingUniforms(program);
   }
+  if (!my.Injected.Rigid)
+  {
+    glm::mat3 VTKToVC(my.Frame.VTKToVC);
+    program->SetUniformMatrix3x3("shadowVTKToVC", glm::value_ptr(VTKToVC));
+  }
   vtkCamera* camera = my.Renderer->GetActiveCamera();
   // Anything of the magnitude of a pixel at the focal point does.
   const double height =
     camera->GetParallelProjection() ? camera->GetParallelScale() : camera->GetDistance();
-  // A mirror within the view turns VC along with the picture; one behind it, the picture alone.
-  vtkMatrix4x4* projection = camera->GetProjectionTransformMatrix(1.0, -1.0, 1.0);
-  const bool mirrors = projection->GetElement(0, 0) * projection->GetElement(1, 1) <
-                       projection->GetElement(0, 1) * projection->GetElement(1, 0);
+  // The usual projection has a negative determinant.
+  const bool mirrors = glm::determinant(my.Frame.VCToClip) > 0.0;
   program->SetUniformf("shadowUnit", static_cast<float>((mirrors ? -500.0 : 500.0) / height));
   my.SetLights(program);
   my.SetToPixel(program, viewport);

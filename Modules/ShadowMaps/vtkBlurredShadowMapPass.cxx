@@ -1,7 +1,6 @@
 #include "vtkBlurredShadowMapPass.h"
 
 #include "vtkBlurredShadowMapFS.h"
-#include "vtkCamera.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -14,9 +13,8 @@
 #include "vtkShadowVTKVersion.h"
 #include "vtkVisibilityBuffer.h"
 
-#include <glm/trigonometric.hpp>
-
-#include <cmath>
+#include <glm/gtc/matrix_access.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 vtkStandardNewMacro(vtkBlurredShadowMapPass);
 
@@ -114,12 +112,9 @@ void vtkBlurredShadowMapPass::FillVisibility(vtkShadowFrame& frame, vtkVisibilit
 void vtkBlurredShadowMapPass::Blur(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int light,
   vtkShadowTexture& mask, const float step[2])
 {
-  vtkCamera* camera = frame.Renderer->GetActiveCamera();
-  const bool parallel = camera->GetParallelProjection();
-  const double half =
-    parallel ? camera->GetParallelScale() : std::tan(glm::radians(0.5 * camera->GetViewAngle()));
-  const int across =
-    !parallel && camera->GetUseHorizontalViewAngle() ? frame.Size[0] : frame.Size[1];
+  const glm::vec4 eyeVC(frame.GetEyeVC());
+  const glm::vec4 wRow(glm::row(frame.VCToClip, 3));
+  const glm::vec3 pixelVC(frame.GetPixelVC(step[0] > 0.0f ? 0 : 1));
   std::string source = vtkBlurredShadowMapFS;
   vtkShaderProgram::Substitute(source, "//SHADOW::Declarations",
     this->GetLightsGLSL() + (this->GetText("blur") == "plain" ? "#define SHADOW_PLAIN\n" : ""));
@@ -133,8 +128,9 @@ void vtkBlurredShadowMapPass::Blur(vtkShadowFrame& frame, vtkVisibilityBuffer& b
       program->SetUniformi("shadowMask", mask.GetUnit());
       program->SetUniformi("shadowLight", light);
       program->SetUniform2f("shadowStep", step);
-      program->SetUniformi("shadowParallel", parallel);
-      program->SetUniformf("shadowPixelSize", static_cast<float>(2.0 * half / across));
+      program->SetUniform4f("shadowEyeVC", glm::value_ptr(eyeVC));
+      program->SetUniform4f("shadowWRow", glm::value_ptr(wRow));
+      program->SetUniform3f("shadowPixelVC", glm::value_ptr(pixelVC));
       program->SetUniformf(
         "shadowSeparation", static_cast<float>(this->Maps->GetSeparation(light)));
       this->SetLightParameters(program);

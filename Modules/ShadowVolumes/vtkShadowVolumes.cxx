@@ -160,7 +160,7 @@ void vtkShadowVolumes::Update(vtkShadowFrame& frame, const vtkShadowVolumeSettin
   this->WCToClip = frame.VCToClip * frame.GetWCToVC();
   // A camera that mirrors turns all faces around; the usual projection has a negative determinant.
   this->Mirrored = glm::determinant(this->WCToClip) > 0.0;
-  this->Parallel = glm::dvec3(glm::row(frame.VCToClip, 3)) == glm::dvec3(0.0);
+  this->Parallel = frame.IsParallel();
   this->FrustumPlanes.clear();
   for (int axis = 0; axis < 3; ++axis)
   {

@@ -10,8 +10,9 @@ uniform sampler2DArray shadowReceivers;
 uniform sampler2DArray shadowMask;
 uniform int shadowLight;
 uniform vec2 shadowStep;       // (1, 0) or (0, 1)
-uniform bool shadowParallel;   // projection
-uniform float shadowPixelSize; // in world units, at distance 1 or in a parallel projection
+uniform vec4 shadowEyeVC;   // w 1; or the direction to the viewer, w 0
+uniform vec4 shadowWRow;    // of the projection
+uniform vec3 shadowPixelVC; // what moves by a pixel along the step, times w
 uniform float shadowSeparation; // assumed between blocker and receiver, in world units
 
 const int shadowTaps = 7; // to either side of the middle
@@ -118,10 +119,10 @@ void main()
     shadowFootprint(receiverVC.xyz, toLight);
     // What a pixel's step is on the receiver, and how many pixels the points are apart to reach two
     // deviations of the Gaussian.
-    vec3 viewVC = shadowParallel ? vec3(0.0, 0.0, -1.0) : normalize(receiverVC.xyz);
+    vec3 viewVC = normalize(shadowEyeVC.w * receiverVC.xyz - shadowEyeVC.xyz);
     float facing = dot(normalVC, viewVC);
     facing = abs(facing) < 0.05 ? -0.05 : facing;
-    vec3 stepVC = vec3(shadowStep, 0.0) * shadowPixelSize * (shadowParallel ? 1.0 : -receiverVC.z);
+    vec3 stepVC = shadowPixelVC * dot(shadowWRow, vec4(receiverVC.xyz, 1.0));
     stepVC -= viewVC * (dot(normalVC, stepVC) / facing);
     float perPixel = length((toLight * stepVC).xy);
     float spacing = max(1.0, 2.0 * deviation / (float(shadowTaps) * max(perPixel, 1e-6)));
