@@ -12,7 +12,6 @@
 #include "vtkOpenGLError.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLState.h"
-#include "vtkPropCollection.h"
 #include "vtkRenderState.h"
 #include "vtkShadowInjection.h"
 #include "vtkShadowPassInternals.h"
@@ -27,16 +26,50 @@
 
 vtkStandardNewMacro(vtkShadowCatcherMark);
 
-//------------------------------------------------------------------------------
-vtkShadowPass::vtkShadowPass()
-  : Internal(new Internals)
+namespace
 {
-}
+/** VTK's own shadow maps are left out while it lives; the renderer's switch stays the user's. */
+class WithoutVTKShadows
+{
+public:
+  explicit WithoutVTKShadows(vtkRenderer* renderer)
+    : Renderer(renderer)
+    , Used(renderer->GetUseShadows())
+  {
+    if (this->Used)
+    {
+      renderer->UseShadowsOff();
+    }
+  }
+  ~WithoutVTKShadows()
+  {
+    if (this->Used)
+    {
+      this->Renderer->SetUseShadows(this->Used);
+    }
+  }
+  WithoutVTKShadows(const WithoutVTKShadows&) = delete;
+  void operator=(const WithoutVTKShadows&) = delete;
 
-//------------------------------------------------------------------------------
-vtkShadowPass::~vtkShadowPass()
+private:
+  vtkRenderer* Renderer;
+  vtkTypeBool Used;
+};
+
+/** Whether a shadow pass is drawing a prop. */
+bool IsMarked(vtkProp* prop)
 {
-  this->Detach();
+  vtkInformation* keys = prop->GetPropertyKeys();
+  const int count = keys ? keys->Length(vtkOpenGLRenderPass::RenderPasses()) : 0;
+  for (int i = 0; i < count; ++i)
+  {
+    if (vtkShadowPass::SafeDownCast(keys->Get(vtkOpenGLRenderPass::RenderPasses(), i)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -44,25 +77,65 @@ void vtkShadowPass::Render(const vtkRenderState* s)
 {
   Internals& my = *this->Internal;
   vtkRenderer* renderer = s->GetRenderer();
+  my.Copy = this->FindCopy(renderer);
+  if (my.Copy)
+  {
+    my.Copy->Render(s);
+    this->NumberOfRenderedProps = my.Copy->GetNumberOfRenderedProps();
+    return;
+  }
+  if (my.Rendering)
+  {
+    this->ErrorOnce("the pass is its own delegate, or within it: it draws nothing there.");
+    return;
+  }
+  my.Rendering = true; // what is drawn may take the pass off the renderer
   this->NumberOfRenderedProps = 0;
   if (renderer->GetSelector())
   {
     // Selection needs no shadows, but has not taken the pass off either.
     my.Drawn = my.Drawn || my.Renderer == renderer;
     this->RenderDelegate(s);
-    return;
   }
+  else if (!vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
+  {
+    this->IsSupported(renderer->GetRenderWindow());
+    this->WarnOnce("drawn without shadows: " + this->GetUnsupportedReason() + ".");
+    this->RenderDelegate(s);
+  }
+  else if (std::any_of(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount(), IsMarked))
+  {
+    this->WarnOnce(
+      "drawn without shadows: this pass is within another shadow pass, and one at a time draws the "
+      "shadows of a renderer. PutOn puts one in the other's place.");
+    this->Detach();
+    this->RenderDelegate(s);
+  }
+  else
+  {
+    this->RenderShadowed(s);
+  }
+  my.Rendering = false;
+  if (my.RemovedMeanwhile)
+  {
+    this->Detach();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::RenderShadowed(const vtkRenderState* s)
+{
+  Internals& my = *this->Internal;
+  vtkRenderer* renderer = s->GetRenderer();
   vtkOpenGLClearErrorMacro();
   this->Attach(renderer);
   my.Window->MakeCurrent();
-  my.Rendering = true; // what is drawn may take the pass off the renderer
   my.Timers.StartFrame();
   ++my.Frames;
   my.BufferValid = my.GlassValid = false;
   if (renderer->GetUseShadows())
   {
-    this->WarnOnce("the renderer's UseShadows is switched off: this pass draws the shadows.");
-    renderer->UseShadowsOff();
+    this->WarnOnce("the renderer's UseShadows counts for nothing: this pass draws the shadows.");
   }
 
   my.Props.assign(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
@@ -108,10 +181,13 @@ void vtkShadowPass::Render(const vtkRenderState* s)
   }
   {
     vtkShadowTimers::Scope timer(my.Timers, "shading");
+    const WithoutVTKShadows without(renderer);
     this->MarkProps(true);
     this->RenderDelegate(s);
     this->MarkProps(false);
   }
+  // The mappers keep this pass in their caches: it must keep nothing that keeps them.
+  my.Props.clear();
   if (my.Active)
   {
     for (auto* buffer : { &my.Buffer, &my.Glass })
@@ -126,11 +202,6 @@ void vtkShadowPass::Render(const vtkRenderState* s)
     this->DeactivateLightData(my.Frame);
   }
   vtkOpenGLCheckErrorMacro("failed after vtkShadowPass::Render");
-  my.Rendering = false;
-  if (my.RemovedMeanwhile)
-  {
-    this->Detach();
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -306,9 +377,8 @@ void vtkShadowPass::MarkProps(bool mark)
   my.UpToDatePrograms.clear();
   if (!mark)
   {
-    for (vtkProp* prop : my.Marked)
+    for (vtkInformation* keys : my.Marked)
     {
-      vtkInformation* keys = prop->GetPropertyKeys();
       keys->Remove(vtkOpenGLRenderPass::RenderPasses(), this);
       keys->Remove(vtkOpenGLRenderPass::RenderPasses(), my.CatcherMark);
       if (keys->Length(vtkOpenGLRenderPass::RenderPasses()) == 0)
@@ -341,7 +411,7 @@ void vtkShadowPass::MarkProps(bool mark)
     {
       keys->Append(vtkOpenGLRenderPass::RenderPasses(), my.CatcherMark);
     }
-    my.Marked.push_back(prop);
+    my.Marked.emplace_back(keys);
   };
   for (vtkProp* prop : my.Props)
   {
@@ -389,92 +459,4 @@ void vtkShadowPass::RenderDelegate(const vtkRenderState* s)
   this->UpdateLightGeometry(renderer);
   this->UpdateLights(renderer);
   this->UpdateGeometry(renderer, framebuffer);
-}
-
-//------------------------------------------------------------------------------
-void vtkShadowPass::Attach(vtkRenderer* renderer)
-{
-  Internals& my = *this->Internal;
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (my.Renderer != renderer || my.Window != window)
-  {
-    this->Detach();
-    my.Renderer = renderer;
-    my.Window = window;
-    my.Observers[0] =
-      renderer->AddObserver(vtkCommand::EndEvent, this, &vtkShadowPass::ReleaseWhenRemoved);
-    my.Observers[1] =
-      renderer->AddObserver(vtkCommand::ModifiedEvent, this, &vtkShadowPass::ReleaseWhenRemoved);
-  }
-  my.WasRoot = renderer->GetPass() == this;
-  my.Drawn = true;
-  my.Holding = true;
-}
-
-//------------------------------------------------------------------------------
-void vtkShadowPass::Detach()
-{
-  Internals& my = *this->Internal;
-  if (my.Renderer)
-  {
-    my.Renderer->RemoveObserver(my.Observers[0]);
-    my.Renderer->RemoveObserver(my.Observers[1]);
-  }
-  if (my.Window)
-  {
-    my.Window->MakeCurrent();
-    this->ReleaseGraphicsResources(my.Window);
-  }
-  my.Renderer = nullptr;
-  my.Window = nullptr;
-  my.RemovedMeanwhile = false;
-  my.Props.clear();
-}
-
-//------------------------------------------------------------------------------
-void vtkShadowPass::ReleaseWhenRemoved(vtkObject*, unsigned long event, void*)
-{
-  // Mappers may hold this pass in their caches long after it was taken off the renderer, so its
-  // end cannot be what frees the GPU's memory.
-  Internals& my = *this->Internal;
-  const bool removed = event == vtkCommand::EndEvent
-                         ? !my.Drawn
-                         : my.WasRoot && my.Renderer && my.Renderer->GetPass() != this;
-  if (event == vtkCommand::EndEvent)
-  {
-    my.Drawn = false;
-  }
-  if (removed && my.Rendering)
-  {
-    my.RemovedMeanwhile = true;
-  }
-  else if (removed)
-  {
-    this->Detach();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkShadowPass::ReleaseGraphicsResources(vtkWindow* window)
-{
-  Internals& my = *this->Internal;
-  auto* glWindow = vtkOpenGLRenderWindow::SafeDownCast(window);
-  // A window that is being destroyed has already left the weak pointer.
-  if (glWindow && (glWindow == my.Window || (!my.Window && my.Holding)))
-  {
-    my.Holding = false;
-    my.Timers.Release();
-    my.Casters.ReleaseGraphicsResources(glWindow);
-    my.Buffer.Release(glWindow);
-    my.Glass.Release(glWindow);
-    my.Quad.Release();
-    this->ReleaseLightData(glWindow);
-    my.BufferValid = my.GlassValid = false;
-    my.Active = false;
-  }
-  if (my.Delegate)
-  {
-    my.Delegate->ReleaseGraphicsResources(window);
-  }
-  this->Superclass::ReleaseGraphicsResources(window);
 }

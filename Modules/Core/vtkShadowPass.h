@@ -25,7 +25,11 @@
  * with a textured light, RGBA32F, viewport size, a layer each light (each part of a light, where
  * translucent casters count by their opacity); what the technique adds.
  *
- * Works on several renderers by several passes; one pass serves one renderer at a time.
+ * A pass serves any number of renderers: each further one gets a copy of it, with light data of its own
+ * and the same settings. GetVisibility and GetStatistics are about the renderer that was drawn last.
+ * A renderer's shadows are drawn by one pass at a time: a shadow pass within another one says so and
+ * draws without. The pass frees the GPU's memory when it leaves the renderer's chain of passes, and when
+ * the window closes. Beyond the frame it keeps no prop.
  */
 
 #ifndef vtkShadowPass_h
@@ -61,8 +65,23 @@ public:
 
   ///@{
   /**
+   * Give a renderer this pass, take all of its shadow passes off, or find it (nullptr if there is none),
+   * wherever it stands: as the renderer's pass or within VTK's own ones, as a delegate, in a sequence or
+   * a step. PutOn takes the place of the shadow pass that is there, and its delegate; where there is
+   * none, this becomes the renderer's pass and the one before its delegate. TakeOff leaves the delegate
+   * in the place; without one the renderer has no pass, and another pass VTK's own steps
+   * (vtkRenderStepsPass).
+   */
+  void PutOn(vtkRenderer* renderer);
+  static void TakeOff(vtkRenderer* renderer);
+  static vtkShadowPass* FindOn(vtkRenderer* renderer);
+  ///@}
+
+  ///@{
+  /**
    * What is shaded. Default: none, which draws everything that VTK draws without a pass: opaque,
-   * translucent, volumetric and overlay, with the renderer's depth peeling, SSAO and FXAA.
+   * translucent, volumetric and overlay, with the renderer's depth peeling, SSAO and FXAA. An error,
+   * and nothing changes, for a pass that this one is within.
    */
   void SetDelegatePass(vtkRenderPass* delegate);
   vtkRenderPass* GetDelegatePass();
@@ -144,7 +163,8 @@ public:
    * A shadow catcher is invisible but for the shadow on it: black, as opaque as the share of its
    * light that is in shadow, times its property's opacity. It is translucent, so that it is blended
    * over what lies behind, and casts nothing; a physically based one is shaded by Phong, for only its
-   * lights are to count. A picture with alpha, to be laid over another, needs the
+   * lights are to count. Both are changes of the actors and their properties, which end with the catcher:
+   * what the user has set of them stays. A picture with alpha, to be laid over another, needs the
    * renderer's depth peeling (VTK 9.1 writes a wrong alpha without). Default: none is. Kept in the
    * prop's property keys (SHADOW_CATCHER). VTK draws it as an ordinary prop where there is no shadow
    * pass.
@@ -287,6 +307,11 @@ protected:
    */
   std::string GetLightsGLSL();
   void SetLightParameters(vtkShaderProgram* program);
+  /**
+   * Take over the settings of another pass of this class: those that are here. A subclass with further
+   * ones adds them.
+   */
+  virtual void CopySettings(vtkShadowPass* other);
   /** Free all that is on the GPU; a subclass's destructor calls this while it can still free. */
   void Detach();
   /** Draw a fragment shader over the viewport that is set. */
@@ -306,6 +331,9 @@ private:
   const vtkShadowParameter* FindParameter(const std::string& name) const;
   const vtkShadowValue& GetValue(const std::string& name);
 
+  void RenderShadowed(const vtkRenderState* s);
+  vtkShadowPass* FindCopy(vtkRenderer* renderer);
+  bool IsInChain(vtkRenderer* renderer);
   void Attach(vtkRenderer* renderer);
   void ReleaseWhenRemoved(vtkObject* caller, unsigned long event, void* data);
   bool PrepareShadows(vtkRenderer* renderer);

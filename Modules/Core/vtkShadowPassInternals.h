@@ -4,6 +4,7 @@
 #define vtkShadowPassInternals_h
 
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -16,6 +17,7 @@
 #include "vtkShadowPass.h"
 #include "vtkShadowTechnique.h"
 #include "vtkSmartPointer.h"
+#include "vtkTextureObject.h"
 #include "vtkTimeStamp.h"
 #include "vtkVisibilityBuffer.h"
 #include "vtkWeakPointer.h"
@@ -39,6 +41,23 @@ struct vtkShadowValue
 {
   std::string Text;    // as it was set; a whole number or a boolean in its plain form
   double Number = 0.0; // 1 for on
+};
+
+/**
+ * Frees a pass when its context ends. VTK tells textures of it, wherever they are held, so this is one,
+ * though an empty one: SetContext(window) begins, SetContext(nullptr) frees at once.
+ */
+class vtkShadowContextWatch : public vtkTextureObject
+{
+public:
+  static vtkShadowContextWatch* New();
+  vtkTypeMacro(vtkShadowContextWatch, vtkTextureObject);
+  void ReleaseGraphicsResources(vtkWindow* window) override
+  {
+    this->Superclass::ReleaseGraphicsResources(window);
+    this->Pass->ReleaseGraphicsResources(window);
+  }
+  vtkShadowPass* Pass = nullptr;
 };
 
 class vtkShadowPass::Internals
@@ -75,8 +94,8 @@ public:
   bool ScreenSpace = false;
   bool WritesReceivers = false; // what is drawn now fills the receivers' buffer
   int Size[2] = { 0, 0 };
-  std::vector<vtkSmartPointer<vtkProp>> Props; // what survived culling, until the next frame
-  std::vector<vtkProp*> Marked; // these and their parts, while the pass is in their keys
+  std::vector<vtkSmartPointer<vtkProp>> Props; // what survived culling, while it is drawn
+  std::vector<vtkSmartPointer<vtkInformation>> Marked; // keys of these and their parts: with the pass
   std::set<vtkShaderProgram*> UpToDatePrograms;
   std::array<int, 4> Viewport{}; // that they were set for
   unsigned long Frames = 0;
@@ -88,16 +107,28 @@ public:
   vtkShadowInjection::Code Injected;
   vtkTimeStamp StageTime;
 
-  // Release when removed: see vtkShadowPass::ReleaseWhenRemoved.
+  // Release when removed: see vtkShadowPassLifetime.cxx.
   vtkWeakPointer<vtkRenderer> Renderer;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  vtkNew<vtkShadowContextWatch> Context;
   unsigned long Observers[2] = { 0, 0 };
-  bool WasRoot = false;
+  bool Seen = false;    // in the renderer's chain of passes
   bool Holding = false; // GPU resources, perhaps
   bool Drawn = false;   // in the renderer's frame that is going on
 
   /** The last that GetVisibility gave of each light. */
   std::map<const vtkLight*, vtkSmartPointer<vtkImageData>> VisibilityImages;
+
+  // Further renderers: a copy of the pass for each.
+  struct CopyOf
+  {
+    vtkWeakPointer<vtkRenderer> Renderer;
+    vtkSmartPointer<vtkShadowPass> Pass;
+    vtkTimeStamp Time; // of its settings
+  };
+  std::vector<CopyOf> Copies;
+  vtkWeakPointer<vtkShadowPass> Copy; // that drew the last frame; nullptr: this pass did
+  vtkShadowPass* Original = nullptr;  // of a copy
 
   /** The lights in the order of their numbers, as GetVisibility takes them. */
   std::vector<vtkLight*> GetLights() const;

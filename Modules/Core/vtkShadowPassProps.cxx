@@ -6,6 +6,7 @@
 #include "vtkAssemblyPath.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkInformationObjectBaseKey.h"
 #include "vtkLODProp3D.h"
 #include "vtkLight.h"
 #include "vtkMapper.h"
@@ -13,6 +14,9 @@
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkShadowPass.h"
+#include "vtkWeakPointer.h"
+
+#include <vector>
 
 vtkInformationKeyMacro(vtkShadowPass, CASTS_SHADOW, Integer);
 vtkInformationKeyMacro(vtkShadowPass, RECEIVES_SHADOW, Integer);
@@ -44,12 +48,86 @@ vtkActor* GetShownLevel(vtkLODProp3D* levels)
   return nullptr;
 }
 
-/** What SetShadowCatcher has to undo, kept in the key. */
-enum CatcherBits
+/** In a property's information: how many catchers' parts want Phong of it, which was PBR. */
+vtkInformationIntegerKey* MadePhongKey()
 {
-  Catches = 1,
-  MadeTranslucent = 2,
-  MadePhong = 4
+  static auto* key = vtkInformationIntegerKey::MakeKey("SHADOW_CATCHER_MADE_PHONG", "vtkShadowPass");
+  return key;
+}
+
+/**
+ * What a catcher changes of its parts, undone when this goes: where the prop ceases to be one, or is
+ * deleted. What the user has set, before or meanwhile, stays. It stands in the catcher's keys, which
+ * VTK lends to the parts of an assembly, and keeps none of them.
+ */
+class CatcherChanges : public vtkObjectBase
+{
+public:
+  vtkBaseTypeMacro(CatcherChanges, vtkObjectBase);
+  static CatcherChanges* New()
+  {
+    auto* result = new CatcherChanges;
+    result->InitializeObjectBase();
+    return result;
+  }
+  static vtkInformationObjectBaseKey* Key()
+  {
+    static auto* key =
+      vtkInformationObjectBaseKey::MakeKey("SHADOW_CATCHER_CHANGES", "vtkShadowPass");
+    return key;
+  }
+
+  void Change(vtkActor* actor)
+  {
+    // It is blended over what lies behind; and only its lights are to count.
+    if (!actor->GetForceTranslucent())
+    {
+      actor->ForceTranslucentOn();
+      this->Translucent.emplace_back(actor);
+    }
+    vtkProperty* property = actor->GetProperty();
+    vtkInformation* information = property->GetInformation();
+    const int others = information->Has(MadePhongKey()) ? information->Get(MadePhongKey()) : 0;
+    if (others > 0 || property->GetInterpolation() == VTK_PBR)
+    {
+      property->SetInterpolationToPhong();
+      information->Set(MadePhongKey(), others + 1);
+      this->Phong.emplace_back(property);
+    }
+  }
+
+private:
+  ~CatcherChanges() override
+  {
+    for (vtkActor* actor : this->Translucent)
+    {
+      if (actor)
+      {
+        actor->ForceTranslucentOff();
+      }
+    }
+    for (vtkProperty* property : this->Phong)
+    {
+      vtkInformation* information = property ? property->GetInformation() : nullptr;
+      const int others =
+        information && information->Has(MadePhongKey()) ? information->Get(MadePhongKey()) - 1 : 0;
+      if (others > 0)
+      {
+        information->Set(MadePhongKey(), others);
+      }
+      else if (information)
+      {
+        information->Remove(MadePhongKey());
+        if (property->GetInterpolation() == VTK_PHONG)
+        {
+          property->SetInterpolationToPBR();
+        }
+      }
+    }
+  }
+
+  std::vector<vtkWeakPointer<vtkActor>> Translucent;
+  std::vector<vtkWeakPointer<vtkProperty>> Phong;
 };
 
 void SetSwitch(vtkProp* prop, vtkInformationIntegerKey* key, bool on)
@@ -94,41 +172,22 @@ void vtkShadowPass::SetShadowCatcher(vtkProp* prop, bool catches)
   {
     return;
   }
-  vtkInformation* before = prop->GetPropertyKeys();
-  int made = catches ? static_cast<int>(Catches) : before->Get(vtkShadowPass::SHADOW_CATCHER());
+  SetSwitch(prop, vtkShadowPass::SHADOW_CATCHER(), catches);
+  if (!catches)
+  {
+    prop->GetPropertyKeys()->Remove(CatcherChanges::Key());
+    return;
+  }
+  vtkNew<CatcherChanges> changes;
+  prop->GetPropertyKeys()->Set(CatcherChanges::Key(), changes);
   vtkShadowPass::ForEachPart(prop,
-    [&](vtkProp* part, vtkMatrix4x4*)
+    [&changes](vtkProp* part, vtkMatrix4x4*)
     {
-      auto* actor = vtkActor::SafeDownCast(part);
-      if (!actor)
+      if (auto* actor = vtkActor::SafeDownCast(part))
       {
-        return;
-      }
-      // It is blended over what lies behind; and only its lights are to count.
-      if (catches && !actor->GetForceTranslucent())
-      {
-        actor->ForceTranslucentOn();
-        made |= MadeTranslucent;
-      }
-      else if (!catches && (made & MadeTranslucent) != 0)
-      {
-        actor->ForceTranslucentOff();
-      }
-      if (catches && actor->GetProperty()->GetInterpolation() == VTK_PBR)
-      {
-        actor->GetProperty()->SetInterpolationToPhong();
-        made |= MadePhong;
-      }
-      else if (!catches && (made & MadePhong) != 0)
-      {
-        actor->GetProperty()->SetInterpolationToPBR();
+        changes->Change(actor);
       }
     });
-  SetSwitch(prop, vtkShadowPass::SHADOW_CATCHER(), catches);
-  if (catches)
-  {
-    prop->GetPropertyKeys()->Set(vtkShadowPass::SHADOW_CATCHER(), made);
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -1,6 +1,7 @@
 // The settings of vtkShadowPass: technique, parameters, debug view, statistics.
 
 #include "vtkShadowNumber.h"
+#include "vtkShadowPassChain.h"
 #include "vtkShadowPassInternals.h"
 
 #include <nlohmann/json.hpp>
@@ -326,6 +327,11 @@ std::string vtkShadowPass::GetDebugView()
 //------------------------------------------------------------------------------
 void vtkShadowPass::SetDelegatePass(vtkRenderPass* delegate)
 {
+  if (vtkShadowPassChain::Holds(delegate, this))
+  {
+    vtkErrorMacro("SetDelegatePass: this pass is the delegate itself, or within it.");
+    return;
+  }
   if (this->Internal->Delegate != delegate)
   {
     this->Internal->Delegate = delegate;
@@ -337,6 +343,30 @@ void vtkShadowPass::SetDelegatePass(vtkRenderPass* delegate)
 vtkRenderPass* vtkShadowPass::GetDelegatePass()
 {
   return this->Internal->Delegate;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::CopySettings(vtkShadowPass* other)
+{
+  Internals& my = *this->Internal;
+  const Internals& from = *other->Internal;
+  if (this->GetTechnique() != other->GetTechnique())
+  {
+    this->SetTechnique(other->GetTechnique());
+  }
+  const auto same = [](const auto& a, const auto& b)
+  { return a.first == b.first && a.second.Text == b.second.Text; };
+  if (!std::equal(
+        my.Values.begin(), my.Values.end(), from.Values.begin(), from.Values.end(), same))
+  {
+    my.Values = from.Values;
+    my.Said.clear();
+    my.ParameterTime.Modified();
+  }
+  my.DebugView = from.DebugView;
+  this->SetDelegatePass(from.Delegate);
+  this->SetDefaultLightRadius(other->GetDefaultLightRadius());
+  this->Modified();
 }
 
 //------------------------------------------------------------------------------
@@ -372,6 +402,10 @@ std::string vtkShadowPass::GetUnsupportedReason()
 std::string vtkShadowPass::GetStatistics()
 {
   Internals& my = *this->Internal;
+  if (my.Copy)
+  {
+    return my.Copy->GetStatistics();
+  }
   nlohmann::ordered_json json = { { "technique", this->GetTechnique() }, { "frame", my.Frames },
     { "evaluation", my.Active ? (my.ScreenSpace ? "screen" : "forward") : "none" } };
   if (my.Window && my.Timers.ArePending())

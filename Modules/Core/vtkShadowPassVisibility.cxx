@@ -85,12 +85,11 @@ private:
 class DepthMasks
 {
 public:
-  explicit DepthMasks(const std::vector<vtkProp*>& props)
+  explicit DepthMasks(const std::vector<vtkSmartPointer<vtkInformation>>& ofProps)
   {
-    for (vtkProp* prop : props)
+    vtkInformationIntegerKey* key = vtkOpenGLActor::GLDepthMaskOverride();
+    for (vtkInformation* keys : ofProps)
     {
-      vtkInformation* keys = prop->GetPropertyKeys();
-      vtkInformationIntegerKey* key = vtkOpenGLActor::GLDepthMaskOverride();
       this->Before.emplace_back(keys, keys->Has(key) ? keys->Get(key) : None);
       keys->Set(key, 1);
     }
@@ -366,6 +365,10 @@ void vtkShadowPass::DrawDebug()
 //------------------------------------------------------------------------------
 vtkImageData* vtkShadowPass::GetVisibility(vtkLight* light)
 {
+  if (vtkShadowPass* copy = this->Internal->Copy)
+  {
+    return copy->GetVisibility(light);
+  }
   if (!this->UpdateVisibility())
   {
     return nullptr;
@@ -383,6 +386,10 @@ vtkImageData* vtkShadowPass::GetVisibility(vtkLight* light)
 //------------------------------------------------------------------------------
 vtkImageData* vtkShadowPass::GetVisibility(int light)
 {
+  if (vtkShadowPass* copy = this->Internal->Copy)
+  {
+    return copy->GetVisibility(light);
+  }
   if (!this->UpdateVisibility())
   {
     return nullptr;
@@ -459,6 +466,7 @@ bool vtkShadowPass::UpdateVisibility()
     const auto counts = my.Frame.Counts; // statistics are about the frame
     my.Active = this->PrepareShadows(my.Renderer);
     this->EvaluateVisibility(true);
+    my.Props.clear();
     my.Frame.Counts = counts;
     state->Pop();
   }

@@ -58,6 +58,16 @@ int vtkPlanarShadowPass::GetNumberOfPlanes()
 }
 
 //------------------------------------------------------------------------------
+void vtkPlanarShadowPass::CopySettings(vtkShadowPass* other)
+{
+  this->Superclass::CopySettings(other);
+  if (auto* planar = vtkPlanarShadowPass::SafeDownCast(other))
+  {
+    this->Planes->SetGiven(*planar->Planes);
+  }
+}
+
+//------------------------------------------------------------------------------
 int vtkPlanarShadowPass::GetResolution(const vtkShadowFrame& frame)
 {
   if (!this->HasParameter("resolution"))

@@ -60,6 +60,7 @@ protected:
   vtkPlanarShadowPass();
   ~vtkPlanarShadowPass() override;
 
+  void CopySettings(vtkShadowPass* other) override;
   bool UpdateLightData(vtkShadowFrame& frame) override;
   std::string GetVisibilityGLSL() override;
   bool PrefersForward(const vtkShadowFrame& frame) override;

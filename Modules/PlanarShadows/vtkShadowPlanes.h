@@ -64,6 +64,8 @@ public:
   ///@{ The user's planes: a point and a normal in the world. False where they are no plane.
   bool Add(const glm::dvec3& point, const glm::dvec3& normal);
   void RemoveAll() { this->Given.clear(); }
+  /** Those that were given to another one, and no others. */
+  void SetGiven(const vtkShadowPlanes& other) { this->Given = other.Given; }
   int GetNumberOfGiven() const { return static_cast<int>(this->Given.size()); }
   ///@}
 

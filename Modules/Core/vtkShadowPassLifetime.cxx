@@ -1,0 +1,222 @@
+// The renderers of a vtkShadowPass: how it comes to one, what it holds for it, and when that ends.
+//
+// Mappers keep a pass in their caches long after it was taken off the renderer, so its end cannot be
+// what frees the GPU's memory. It is freed when the pass
+//
+//   leaves the renderer's chain of passes   seen at once where the renderer's own pass changes, else at
+//                                           the next frame's end
+//   is not drawn in a frame                 where other classes hold it, which are not seen through; but
+//                                           a frame from the renderer's backing store draws nothing
+//   loses its context                       the window closes, whether the pass is still in the chain
+//                                           or not
+//   has another window, or is deleted
+
+#include "vtkCommand.h"
+#include "vtkObjectFactory.h"
+#include "vtkShadowPassChain.h"
+#include "vtkShadowPassInternals.h"
+
+#include <algorithm>
+
+namespace
+{
+/** The first shadow pass in a renderer's chain, but for this one. */
+vtkShadowPass* FindOther(vtkRenderer* renderer, vtkShadowPass* known)
+{
+  vtkRenderPass* root = renderer ? renderer->GetPass() : nullptr;
+  return vtkShadowPass::SafeDownCast(vtkShadowPassChain::Find(root,
+    [known](vtkRenderPass* pass) { return pass != known && vtkShadowPass::SafeDownCast(pass); }));
+}
+
+void TakeOffOthers(vtkRenderer* renderer, vtkShadowPass* known)
+{
+  while (vtkShadowPass* pass = FindOther(renderer, known))
+  {
+    const vtkSmartPointer<vtkRenderPass> delegate = pass->GetDelegatePass();
+    vtkShadowPassChain::Replace(renderer, pass, delegate);
+  }
+}
+}
+
+vtkStandardNewMacro(vtkShadowContextWatch);
+
+//------------------------------------------------------------------------------
+vtkShadowPass::vtkShadowPass()
+  : Internal(new Internals)
+{
+  this->Internal->Context->Pass = this;
+}
+
+//------------------------------------------------------------------------------
+vtkShadowPass::~vtkShadowPass()
+{
+  this->Detach();
+  for (const auto& copy : this->Internal->Copies)
+  {
+    copy.Pass->Internal->Original = nullptr;
+    copy.Pass->Detach();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkShadowPass* vtkShadowPass::FindOn(vtkRenderer* renderer)
+{
+  return FindOther(renderer, nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::PutOn(vtkRenderer* renderer)
+{
+  if (!renderer)
+  {
+    vtkErrorMacro("PutOn: there is no renderer.");
+    return;
+  }
+  if (!this->IsInChain(renderer))
+  {
+    vtkShadowPass* before = vtkShadowPass::FindOn(renderer);
+    this->SetDelegatePass(before ? before->GetDelegatePass() : renderer->GetPass());
+    if (before)
+    {
+      vtkShadowPassChain::Replace(renderer, before, this);
+    }
+    else
+    {
+      renderer->SetPass(this);
+    }
+  }
+  TakeOffOthers(renderer, this);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::TakeOff(vtkRenderer* renderer)
+{
+  TakeOffOthers(renderer, nullptr);
+}
+
+//------------------------------------------------------------------------------
+// The copy that serves a renderer, brought up to date; nullptr where this pass does.
+vtkShadowPass* vtkShadowPass::FindCopy(vtkRenderer* renderer)
+{
+  Internals& my = *this->Internal;
+  const auto isDone = [this](const Internals::CopyOf& copy)
+  {
+    return !copy.Renderer || (!copy.Pass->Internal->Holding && !this->IsInChain(copy.Renderer));
+  };
+  my.Copies.erase(std::remove_if(my.Copies.begin(), my.Copies.end(), isDone), my.Copies.end());
+  auto copy = std::find_if(my.Copies.begin(), my.Copies.end(),
+    [renderer](const Internals::CopyOf& of) { return of.Renderer == renderer; });
+  if (copy == my.Copies.end())
+  {
+    if (!my.Holding || my.Renderer == renderer)
+    {
+      return nullptr;
+    }
+    my.Copies.push_back(
+      { renderer, vtkSmartPointer<vtkShadowPass>::Take(this->NewInstance()), {} });
+    copy = my.Copies.end() - 1;
+    copy->Pass->Internal->Original = this;
+  }
+  if (copy->Time < this->GetMTime())
+  {
+    copy->Pass->CopySettings(this);
+    copy->Time.Modified();
+  }
+  return copy->Pass;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::IsInChain(vtkRenderer* renderer)
+{
+  vtkShadowPass* original = this->Internal->Original;
+  return vtkShadowPassChain::Holds(renderer->GetPass(), original ? original : this);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::Attach(vtkRenderer* renderer)
+{
+  Internals& my = *this->Internal;
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (my.Renderer != renderer || my.Window != window)
+  {
+    this->Detach();
+    my.Renderer = renderer;
+    my.Window = window;
+    my.Observers[0] =
+      renderer->AddObserver(vtkCommand::EndEvent, this, &vtkShadowPass::ReleaseWhenRemoved);
+    my.Observers[1] =
+      renderer->AddObserver(vtkCommand::ModifiedEvent, this, &vtkShadowPass::ReleaseWhenRemoved);
+  }
+  my.Context->SetContext(window);
+  my.Seen = this->IsInChain(renderer);
+  my.Drawn = true;
+  my.Holding = true;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::Detach()
+{
+  Internals& my = *this->Internal;
+  if (my.Renderer)
+  {
+    my.Renderer->RemoveObserver(my.Observers[0]);
+    my.Renderer->RemoveObserver(my.Observers[1]);
+  }
+  my.Context->SetContext(nullptr); // nothing where the context has ended
+  my.Renderer = nullptr;
+  my.Window = nullptr;
+  my.RemovedMeanwhile = false;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::ReleaseWhenRemoved(vtkObject*, unsigned long event, void*)
+{
+  Internals& my = *this->Internal;
+  if (!my.Renderer)
+  {
+    return;
+  }
+  bool removed = my.Seen && !this->IsInChain(my.Renderer);
+  if (event == vtkCommand::EndEvent)
+  {
+    removed = removed || (!my.Seen && !my.Drawn && !my.Renderer->GetBackingStore());
+    my.Drawn = false;
+  }
+  if (removed && my.Rendering)
+  {
+    my.RemovedMeanwhile = true;
+  }
+  else if (removed)
+  {
+    this->Detach();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  Internals& my = *this->Internal;
+  auto* glWindow = vtkOpenGLRenderWindow::SafeDownCast(window);
+  // A window that is being destroyed has already left the weak pointer.
+  if (glWindow && (glWindow == my.Window || (!my.Window && my.Holding)))
+  {
+    my.Holding = false;
+    my.Timers.Release();
+    my.Casters.ReleaseGraphicsResources(glWindow);
+    my.Buffer.Release(glWindow);
+    my.Glass.Release(glWindow);
+    my.Quad.Release();
+    this->ReleaseLightData(glWindow);
+    my.BufferValid = my.GlassValid = false;
+    my.Active = false;
+  }
+  for (const auto& copy : my.Copies)
+  {
+    copy.Pass->ReleaseGraphicsResources(window);
+  }
+  if (my.Delegate)
+  {
+    my.Delegate->ReleaseGraphicsResources(window);
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+}
