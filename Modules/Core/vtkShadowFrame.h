@@ -62,8 +62,6 @@ struct VTKSOFTSHADOWSCORE_EXPORT vtkShadowFrame
   glm::dvec3 GetPixelVC(int axis) const;
   glm::dmat4 GetWCToVC() const;
   glm::dmat4 GetWorldToVC() const;
-  /** What positions on the casters can be off at least, by rounding to floats, in world units. */
-  double LeastRounding = 0.0;
   /** Counts for GetStatistics(), by name; a technique adds its own. */
   std::map<std::string, double> Counts;
 };

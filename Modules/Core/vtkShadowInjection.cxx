@@ -4,6 +4,7 @@
 #include "vtkShadowCatchFS.h"
 #include "vtkShadowEvaluateFS.h"
 #include "vtkShadowLightsFS.h"
+#include "vtkShadowReceiversFS.h"
 #include "vtkShadowShaderText.h"
 
 #include <algorithm>
@@ -348,7 +349,7 @@ private:
                               "    gl_FragData[0] = " +
         (this->Positioned ? "vec4(" + this->GetPosition() +
               ", !shadowReceives ? 0.0 :\n"
-              "      (shadowCasts ? 1.0 : -1.0) * shadowPackNormal(shadowNormalVC == vec3(0.0) ? " +
+              "      (shadowCasts ? 1.0 : -1.0) * shadowPackReceiver(shadowNormalVC == vec3(0.0) ? " +
               normal + " : shadowNormalVC))"
                           : "vec4(0.0)") +
         ";\n"
@@ -422,6 +423,6 @@ std::string vtkShadowInjection::GetEvaluation(
 {
   std::string source = vtkShadowEvaluateFS;
   vtkShaderProgram::Substitute(
-    source, "//SHADOW::Declarations", preamble + vtkShadowLightsFS + visibilityGLSL);
+    source, "//SHADOW::Declarations", preamble + vtkShadowLightsFS + vtkShadowReceiversFS + visibilityGLSL);
   return source;
 }

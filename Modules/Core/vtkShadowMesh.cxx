@@ -3,12 +3,13 @@
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
+#include "vtkOpenGLIndexBufferObject.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkShadowAlpha.h"
-#include "vtkTriangleFilter.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
@@ -148,16 +149,28 @@ vtkSmartPointer<vtkPolyData> vtkShadowMesh::Triangulate(vtkPolyData* source)
   {
     return source;
   }
-  vtkNew<vtkPolyData> polygons;
-  polygons->SetPoints(source->GetPoints());
-  polygons->SetPolys(source->GetPolys());
-  polygons->SetStrips(source->GetStrips());
-  vtkNew<vtkTriangleFilter> filter;
-  filter->SetInputData(polygons);
-  filter->PassVertsOff();
-  filter->PassLinesOff();
-  filter->Update();
-  return filter->GetOutput();
+  // By what VTK's mappers fill their index buffers with: a quad that is not flat is then cut along
+  // the diagonal that is drawn. Another one would lie beside the surface that receives.
+  std::vector<unsigned int> indices;
+  vtkOpenGLIndexBufferObject::AppendTriangleIndexBuffer(
+    indices, source->GetPolys(), source->GetPoints(), 0, nullptr, nullptr);
+  vtkOpenGLIndexBufferObject::AppendStripIndexBuffer(indices, source->GetStrips(), 0, false);
+  vtkNew<vtkIdTypeArray> offsets;
+  vtkNew<vtkIdTypeArray> connectivity;
+  offsets->SetNumberOfValues(static_cast<vtkIdType>(indices.size() / 3 + 1));
+  connectivity->SetNumberOfValues(static_cast<vtkIdType>(indices.size()));
+  for (vtkIdType i = 0; i < offsets->GetNumberOfValues(); ++i)
+  {
+    offsets->SetValue(i, 3 * i);
+  }
+  std::copy(indices.begin(), indices.end(), connectivity->GetPointer(0));
+  vtkNew<vtkCellArray> triangles;
+  triangles->SetData(offsets, connectivity);
+  vtkNew<vtkPolyData> result;
+  result->SetPoints(source->GetPoints());
+  result->SetPolys(triangles);
+  result->GetPointData()->ShallowCopy(source->GetPointData());
+  return result;
 }
 
 //------------------------------------------------------------------------------

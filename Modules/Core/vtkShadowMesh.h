@@ -45,7 +45,7 @@ struct VTKSOFTSHADOWSCORE_EXPORT vtkShadowMesh
    */
   static std::shared_ptr<const vtkShadowMesh> Make(vtkPolyData* source,
     std::shared_ptr<const vtkShadowAlphaMap> map = nullptr, float threshold = 0.0f);
-  /** Its polygons and strips as triangles, by VTK; itself where it has no others. */
+  /** The triangles that VTK's mappers draw of it; itself where it has no other polygons. */
   static vtkSmartPointer<vtkPolyData> Triangulate(vtkPolyData* source);
   /** When the shape last changed: points and connectivity, not colours. */
   static vtkMTimeType GetShapeTime(vtkPolyData* source);

@@ -316,15 +316,6 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
                    "is not affine.");
     return false;
   }
-  frame.LeastRounding =
-    my.Casters.GetSize() / 4194304.0 +
-    (frame.IsParallel() ? 0.5 * my.Size[1] * glm::length(frame.GetPixelVC(1)) / 524288.0 : 0.0);
-  if (!frame.Rigid)
-  {
-    // An error in VTK's view coordinates grows by as much as they are stretched.
-    const double farthest = glm::length(glm::dvec3(frame.VCToWC[3])) + my.Casters.GetSize();
-    frame.LeastRounding += (frame.GetStretch() - 1.0) * farthest / 2097152.0;
-  }
   if (my.Size[0] <= 0 || my.Size[1] <= 0)
   {
     return false;

@@ -136,6 +136,8 @@ public:
   void SetLights(vtkShaderProgram* program);
   /** What turns a fragment's place into the buffers' pixel: a larger picture shows it elsewhere. */
   void SetToPixel(vtkShaderProgram* program, const std::array<int, 4>& viewport);
+  /** How far a prop's positions in VC may be off by what VTK computes them with: a power of two. */
+  double GetRounding(vtkAbstractMapper* mapper, vtkProp* prop) const;
   /** `#define`s and GLSL that both ways of evaluation start with. */
   std::string GetPreamble() const;
 };

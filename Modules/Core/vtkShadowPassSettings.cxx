@@ -3,6 +3,7 @@
 #include "vtkShadowNumber.h"
 #include "vtkShadowPassChain.h"
 #include "vtkShadowPassInternals.h"
+#include "vtkShadowVTKVersion.h"
 
 #include <nlohmann/json.hpp>
 
@@ -384,10 +385,12 @@ bool vtkShadowPass::IsSupported(vtkRenderWindow* window)
     int major = 0;
     int minor = 0;
     glWindow->GetOpenGLVersion(major, minor);
-    this->Internal->UnsupportedReason = major > 3 || (major == 3 && minor >= 2)
-                                          ? this->FindUnsupported(window)
-                                          : "OpenGL 3.2 is needed, the window has " +
-                                              std::to_string(major) + "." + std::to_string(minor);
+    const bool has = major > 3 || (major == 3 && minor >= 3) ||
+                     (major == 3 && minor == 2 && VTK_SHADOW_HAS_GL(ARB_shader_bit_encoding));
+    this->Internal->UnsupportedReason =
+      has ? this->FindUnsupported(window)
+          : "OpenGL 3.3 is needed, or 3.2 with ARB_shader_bit_encoding; the window has " +
+              std::to_string(major) + "." + std::to_string(minor);
   }
   return this->Internal->UnsupportedReason.empty();
 }

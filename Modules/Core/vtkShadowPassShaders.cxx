@@ -2,17 +2,23 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkDataSet.h"
+#include "vtkMapper.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLCamera.h"
+#include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLShaderProperty.h"
 #include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkShaderProgram.h"
 #include "vtkShadowInjectFS.h"
 #include "vtkShadowInjection.h"
 #include "vtkShadowLightsFS.h"
 #include "vtkShadowPassInternals.h"
+#include "vtkShadowReceiversFS.h"
 #include "vtkShadowVTKVersion.h"
 
 #include <glm/gtc/matrix_access.hpp>
@@ -23,6 +29,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <sstream>
 
@@ -44,6 +51,12 @@ std::string GetLaterReplacements(vtkActor* actor)
   }
   return later;
 }
+}
+
+namespace
+{
+/** Of a prop's rounding: the square of it, times two, is still a normal float. */
+constexpr int LeastExponent = -62;
 }
 
 //------------------------------------------------------------------------------
@@ -87,7 +100,6 @@ void vtkShadowPass::Internals::SetLights(vtkShaderProgram* program)
     program->SetUniform4fv("shadowLightUVC", count, u);
     program->SetUniform4fv("shadowLightVVC", count, v);
   }
-  program->SetUniformf("shadowLeastRounding", static_cast<float>(this->Frame.LeastRounding));
 }
 
 //------------------------------------------------------------------------------
@@ -124,9 +136,62 @@ void vtkShadowPass::Internals::SetToPixel(
 }
 
 //------------------------------------------------------------------------------
+// VTK multiplies points by a matrix from model to view coordinates, all rounded to 24 bits. Where data
+// lie far from their origin, or that from the eye, the terms cancel, and what they are rounded by
+// stays: 2^-21 of their sum holds six roundings of 2^-24 and some more. Very far data are shifted to
+// their middle first, and nothing cancels.
+double vtkShadowPass::Internals::GetRounding(vtkAbstractMapper* mapper, vtkProp* prop) const
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  vtkMapper* whole = actor ? actor->GetMapper() : nullptr;
+  const bool glyphs = whole && whole->IsA("vtkGlyph3DMapper");
+  const double* bounds = nullptr;
+  if (whole && whole->GetNumberOfInputConnections(0) > 0)
+  {
+    // A data set's own are kept while it is unchanged; a mapper's are found anew.
+    auto* data = glyphs ? nullptr : vtkDataSet::SafeDownCast(whole->GetInputDataObject(0, 0));
+    bounds = data ? data->GetBounds() : whole->GetBounds();
+  }
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  double rounding = camera->GetParallelProjection() ? camera->GetParallelScale() / 524288.0 : 0.0;
+  if (bounds && bounds[0] <= bounds[1])
+  {
+    auto* glMapper = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
+    vtkOpenGLVertexBufferObject* points =
+      glMapper && !glyphs ? glMapper->GetVBOs()->GetVBO("vertexMC") : nullptr;
+    const bool shifted = points && points->GetCoordShiftAndScaleEnabled();
+    const glm::dmat4 modelToVC =
+      this->Frame.GetWorldToVC() * glm::transpose(glm::make_mat4(actor->GetMatrix()->GetData()));
+    const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
+    const glm::dvec3 high(bounds[1], bounds[3], bounds[5]);
+    const glm::dvec3 middle = 0.5 * (low + high);
+    const glm::dvec3 half = 0.5 * (high - low);
+    const glm::dvec3 largest = shifted ? half : glm::abs(middle) + half;
+    glm::dvec3 sum =
+      glm::abs(glm::dvec3(modelToVC * glm::dvec4(shifted ? middle : glm::dvec3(0.0), 1.0)));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      sum += glm::abs(glm::dvec3(modelToVC[axis])) * largest[axis];
+    }
+    const glm::dmat3 axes(modelToVC);
+    rounding += std::max({ sum.x, sum.y, sum.z }) / 2097152.0 +
+                glm::length(2.0 * (glm::abs(axes[0]) * half.x + glm::abs(axes[1]) * half.y +
+                                    glm::abs(axes[2]) * half.z)) /
+                  4194304.0;
+  }
+  // To a power of two, as the receivers' buffer keeps it; what is not finite bounds nothing.
+  int exponent = LeastExponent;
+  if (rounding > 0.0 && std::isfinite(rounding))
+  {
+    std::frexp(rounding, &exponent);
+  }
+  return std::ldexp(1.0, std::clamp(exponent, LeastExponent, -LeastExponent));
+}
+
+//------------------------------------------------------------------------------
 std::string vtkShadowPass::GetLightsGLSL()
 {
-  return this->Internal->GetPreamble() + vtkShadowLightsFS;
+  return this->Internal->GetPreamble() + vtkShadowLightsFS + vtkShadowReceiversFS;
 }
 
 //------------------------------------------------------------------------------
@@ -215,7 +280,7 @@ vtkMTimeType vtkShadowPass::GetShaderStageMTime()
 
 //------------------------------------------------------------------------------
 bool vtkShadowPass::SetShaderParameters(
-  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
   Internals& my = *this->Internal;
   if (my.Injected.Declarations.empty())
@@ -233,6 +298,9 @@ bool vtkShadowPass::SetShaderParameters(
   program->SetUniformi("shadowLightCount", static_cast<int>(my.Frame.Lights.size()));
   program->SetUniformi("shadowReceives", receives);
   program->SetUniformi("shadowCasts", vtkShadowPass::GetCasting(prop));
+  const double rounding = my.GetRounding(mapper, prop);
+  program->SetUniformf("shadowRoundingOfProp", static_cast<float>(rounding));
+  program->SetUniformf("shadowReceiverScale", static_cast<float>(rounding * rounding));
   if (my.ScreenSpace)
   {
     auto* actor = vtkActor::SafeDownCast(prop);

@@ -54,6 +54,10 @@ std::vector<double> GetPlanes(vtkAbstractMapper3D* mapper, vtkMatrix4x4* matrix)
 vtkSmartPointer<vtkPolyData> Clip(
   vtkSmartPointer<vtkPolyData> polygons, const std::vector<double>& planes)
 {
+  if (polygons->GetPoints())
+  {
+    polygons = vtkShadowMesh::Triangulate(polygons); // what is clipped is what is drawn
+  }
   for (std::size_t i = 0; i < planes.size(); i += 4)
   {
     const double* p = &planes[i];

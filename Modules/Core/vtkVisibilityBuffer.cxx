@@ -4,6 +4,31 @@
 #include "vtkOpenGLState.h"
 #include "vtkShadowVTKVersion.h"
 
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+//------------------------------------------------------------------------------
+vtkShadowReceiver vtkShadowReceiver::Unpack(float packed)
+{
+  int exponent;
+  const double mantissa =
+    2.0 * std::frexp(std::abs(static_cast<double>(packed)), &exponent); // 1 to 2
+  --exponent;
+  const int half = static_cast<int>(std::floor(0.5 * exponent));
+  const int code = static_cast<int>((mantissa - 1.0) * 8388608.0) + 8388608 * (exponent - 2 * half);
+  double x = (code & 4095) / 4095.0 * 2.0 - 1.0;
+  double y = (code >> 12) / 4095.0 * 2.0 - 1.0;
+  const double z = 1.0 - std::abs(x) - std::abs(y);
+  if (z < 0.0)
+  {
+    const double fold = (1.0 - std::abs(y)) * (x >= 0.0 ? 1.0 : -1.0);
+    y = (1.0 - std::abs(x)) * (y >= 0.0 ? 1.0 : -1.0);
+    x = fold;
+  }
+  return { glm::normalize(glm::dvec3(x, y, z)), std::ldexp(1.0, half) };
+}
+
 //------------------------------------------------------------------------------
 bool vtkVisibilityBuffer::Allocate(
   vtkOpenGLRenderWindow* window, int width, int height, int lights, bool color)

@@ -1,6 +1,6 @@
 // The screen-space buffers of a pass: what each pixel's receiver is, and its visibility.
 //
-//   receivers   RGBA32F  xyz: position in VC; w: packed normal (see vtkShadowLightsFS.glsl),
+//   receivers   RGBA32F  xyz: position in VC; w: packed normal and rounding (see vtkShadowReceiver),
 //                        negative where the prop does not cast, 0 where nothing receives
 //   depth       24 bits  helper of the receivers; as the window's, so that coplanar surfaces hide each
 //                        other as they do in the picture
@@ -13,12 +13,23 @@
 #include "vtkShadowGL.h"              // For textures
 #include "vtkSoftShadowsCoreModule.h" // For export macro
 
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include <string>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
+
+/** What shadowPackReceiver in vtkShadowInjectFS.glsl packs into the receivers' fourth component. */
+struct VTKSOFTSHADOWSCORE_EXPORT vtkShadowReceiver
+{
+  glm::dvec3 Normal{ 0.0 }; // unit, in VC
+  double Rounding = 0.0;    // how far its prop's positions may be off: a power of two
+
+  /** Of a component that is not 0; its sign, a flag, does not matter. */
+  static vtkShadowReceiver Unpack(float packed);
+};
 
 class VTKSOFTSHADOWSCORE_EXPORT vtkVisibilityBuffer
 {

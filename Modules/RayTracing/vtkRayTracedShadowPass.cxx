@@ -9,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -46,22 +47,6 @@ vtkShadowTechniqueAutoInit(VTKSOFTSHADOWSRAYTRACING_EXPORT, vtkSoftShadowsRayTra
   }
 
   const vtkShadowTechniqueRegistration registration(RayTraced());
-
-  /** The inverse of shadowPackNormal in vtkShadowLightsFS.glsl. */
-  glm::dvec3 UnpackNormal(double packed)
-  {
-    const double bits = packed - 1.0;
-    double x = std::fmod(bits, 4096.0) / 4095.0 * 2.0 - 1.0;
-    double y = std::floor(bits / 4096.0) / 4095.0 * 2.0 - 1.0;
-    const double z = 1.0 - std::abs(x) - std::abs(y);
-    if (z < 0.0)
-    {
-      const double fold = (1.0 - std::abs(y)) * (x >= 0.0 ? 1.0 : -1.0);
-      y = (1.0 - std::abs(x)) * (y >= 0.0 ? 1.0 : -1.0);
-      x = fold;
-    }
-    return glm::normalize(glm::dvec3(x, y, z));
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -112,11 +97,26 @@ void vtkRayTracedShadowPass::FillVisibility(vtkShadowFrame& frame, vtkVisibility
     {
       const glm::dvec3 positionVC(texels[i]);
       const glm::dvec3 position(frame.VCToWC * glm::dvec4(positionVC, 1.0));
-      receivers.push_back({ position, turn * UnpackNormal(std::abs(texels[i].w)),
-        PositionError * (glm::length(positionVC) + glm::length(position)), static_cast<int>(i),
-        texels[i].w > 0.0f });
+      const vtkShadowReceiver receiver = vtkShadowReceiver::Unpack(texels[i].w);
+      const double rounding = PositionError * (glm::length(positionVC) + glm::length(position));
+      receivers.push_back({ position, turn * receiver.Normal, rounding,
+        std::max(0.0, receiver.Rounding - rounding), static_cast<int>(i), texels[i].w > 0.0f });
     }
   }
+  const glm::dmat4 clipToWC = glm::inverse(frame.VCToClip * frame.GetWCToVC());
+  this->Tracer->FindPositions(receivers,
+    [&](int pixel)
+    {
+      // Through the pixel's centre, from the near plane to the far one.
+      const glm::dvec2 place =
+        2.0 * glm::dvec2(pixel % buffer.GetWidth() + 0.5, pixel / buffer.GetWidth() + 0.5) /
+          glm::dvec2(buffer.GetWidth(), buffer.GetHeight()) -
+        1.0;
+      const glm::dvec4 from = clipToWC * glm::dvec4(place, -1.0, 1.0);
+      const glm::dvec4 to = clipToWC * glm::dvec4(place, 1.0, 1.0);
+      const glm::dvec3 front = glm::dvec3(from) / from.w;
+      return vtkShadowRayTracer::Ray(front, glm::normalize(glm::dvec3(to) / to.w - front));
+    });
   const int samples = this->GetInteger("samples");
   const int seed = this->GetInteger("seed");
   const int components = buffer.GetQuantity().empty() ? buffer.GetComponents() : 1;

@@ -283,6 +283,10 @@ glm::dvec3 vtkShadowRayTracer::Internals::TracePixel(RTCScene scene, const vtkSh
   const glm::vec3 c(centre);
   const glm::vec3 a(u);
   const glm::vec3 b(v);
+  // Rays rise from the receiver's plane: past Height it is not its own surface that they hit. Moving
+  // their start as far along the normal would move the shadow's edge.
+  const glm::vec3 normal(receiver.Normal);
+  const float height = receiver.Casts ? static_cast<float>(receiver.Height) : 0.0f;
   // A ray of a positional light ends at the light, t = 1.
   const float end = light.IsDirectional() ? std::numeric_limits<float>::infinity() : 1.0f;
   glm::dvec3 visible(0.0);
@@ -300,6 +304,14 @@ glm::dvec3 vtkShadowRayTracer::Internals::TracePixel(RTCScene scene, const vtkSh
       rays.dir_z[i] = direction.z;
       rays.tnear[i] = 0.0f;
       rays.tfar[i] = end;
+      if (height > 0.0f)
+      {
+        const float rise = glm::dot(normal, direction);
+        rays.tnear[i] = height / std::max(rise, std::numeric_limits<float>::min());
+        valid[i] = rays.tnear[i] < end ? valid[i] : 0;
+        rays.tfar[i] =
+          rise > 0.0f ? end : -end; // its own surface hides what lies below its horizon
+      }
       rays.time[i] = 0.0f;
       rays.mask[i] = 0xffffffffu;
       rays.flags[i] = 0;
@@ -347,6 +359,44 @@ bool vtkShadowRayTracer::NeedsRays(
   const glm::dvec3 towards =
     light.IsDirectional() ? -light.Direction : light.Position - origin - receiver.Position;
   return glm::dot(receiver.Normal, towards) + reach >= 0.0;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowRayTracer::FindPositions(
+  std::vector<Receiver>& receivers, const std::function<Ray(int pixel)>& getRay) const
+{
+  RTCScene scene = this->Internal->Scenes.begin()->second; // of all casters
+  for (Receiver& receiver : receivers)
+  {
+    if (!receiver.Casts || receiver.Height == 0.0)
+    {
+      continue;
+    }
+    const auto [from, along] = getRay(receiver.Pixel);
+    // Along the ray a surface that is seen at a slant is further off; not without end.
+    const double slant = std::max(std::abs(glm::dot(receiver.Normal, along)), 1.0 / 64.0);
+    const double reach = 4.0 * receiver.Height / slant;
+    const double first = glm::dot(receiver.Position - from, along) - reach;
+    const glm::vec3 start(from + first * along);
+    RTCRayHit ray{};
+    ray.ray.org_x = start.x;
+    ray.ray.org_y = start.y;
+    ray.ray.org_z = start.z;
+    ray.ray.dir_x = static_cast<float>(along.x);
+    ray.ray.dir_y = static_cast<float>(along.y);
+    ray.ray.dir_z = static_cast<float>(along.z);
+    ray.ray.tfar = static_cast<float>(2.0 * reach);
+    ray.ray.mask = 0xffffffffu;
+    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(scene, &context, &ray);
+    if (ray.hit.geomID != RTC_INVALID_GEOMETRY_ID)
+    {
+      receiver.Position = from + (first + ray.ray.tfar) * along;
+      receiver.Height = 0.0;
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -6,7 +6,9 @@
 
 #include <glm/vec3.hpp>
 
+#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 class vtkShadowCasters;
@@ -15,12 +17,16 @@ struct vtkShadowLight;
 class vtkShadowRayTracer
 {
 public:
-  /** What a pixel sees, in WC; Offset is how far along the normal its rays start. */
+  /**
+   * What a pixel sees, in WC. Its rays start Offset along the normal; where its prop's positions are
+   * off by more than that, what they hit within Height above its plane is the surface itself.
+   */
   struct Receiver
   {
     glm::dvec3 Position;
     glm::dvec3 Normal;
     double Offset;
+    double Height;
     int Pixel;
     bool Casts;
   };
@@ -36,6 +42,14 @@ public:
    * one over their instances, built when something moved. Gives how many meshes were built.
    */
   int Update(const vtkShadowCasters& casters);
+
+  /**
+   * Find positions anew that are off by Height: where the pixel's own ray, from a point in WC along a
+   * unit vector, meets a caster near by. Those that meet none stay.
+   */
+  using Ray = std::pair<glm::dvec3, glm::dvec3>;
+  void FindPositions(
+    std::vector<Receiver>& receivers, const std::function<Ray(int pixel)>& getRay) const;
 
   /**
    * Visibility of each receiver, `components` (1 or 4) floats at its pixel, by `samples` stratified

@@ -3,6 +3,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
+#include "vtkShadowCasters.h"
 #include "vtkShadowFrame.h"
 #include "vtkShadowMapParameters.h"
 #include "vtkShadowMapViewFS.h"
@@ -12,6 +13,31 @@
 
 #include <algorithm>
 #include <cmath>
+
+namespace
+{
+/**
+ * About a texel a pixel where casters fill the picture, and four along a side of the finest mesh's
+ * triangles if it does: a rough surface's own shadows are as fine. In powers of two, so that a window
+ * can be resized without new maps.
+ */
+int FindResolution(const vtkShadowFrame& frame)
+{
+  std::size_t triangles = 0;
+  for (const auto& caster : frame.Casters->Get())
+  {
+    triangles = std::max(triangles, caster.Mesh->GetNumberOfTriangles());
+  }
+  const double pixels = std::min(4096, std::max(frame.Size[0], frame.Size[1]));
+  const double sides = std::min(2048.0, 4.0 * std::sqrt(static_cast<double>(triangles)));
+  int resolution = 1024;
+  while (resolution < std::max(pixels, sides))
+  {
+    resolution *= 2;
+  }
+  return resolution;
+}
+}
 
 //------------------------------------------------------------------------------
 vtkDepthMapShadowPass::vtkDepthMapShadowPass()
@@ -36,13 +62,7 @@ bool vtkDepthMapShadowPass::UpdateMaps(vtkShadowFrame& frame, int samples, doubl
   settings.Resolution = this->GetInteger("resolution");
   if (settings.Resolution == 0)
   {
-    // About a texel a pixel where casters fill the picture; in powers of two, so that a window can
-    // be resized without new maps.
-    settings.Resolution = 512;
-    while (settings.Resolution < std::min(4096, std::max(frame.Size[0], frame.Size[1])))
-    {
-      settings.Resolution *= 2;
-    }
+    settings.Resolution = FindResolution(frame);
   }
   settings.Resolution = std::max(vtkShadowMapParameters::LeastResolution, settings.Resolution);
   int largest = settings.Resolution;

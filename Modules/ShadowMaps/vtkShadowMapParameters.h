@@ -18,7 +18,7 @@ inline vtkShadowParameter Resolution(const char* value, std::vector<std::string>
 {
   return { "resolution", vtkShadowParameter::Type::Integer, value, 0, 16384, {}, "texels",
     "Side of a depth map, 16 at least (less counts as 16); 0: the power of two next to the picture's "
-    "longer side, 512 to 4096",
+    "longer side, 1024 to 4096, and at least 2048 where a mesh has more than 65,536 triangles",
     std::move(presets) };
 }
 

@@ -381,8 +381,6 @@ void vtkShadowMaps::UpdateViewVectors(vtkShadowFrame& frame, bool changed)
     return;
   }
   this->VCToWC = frame.VCToWC;
-  // Half a texel around a point for one compare; a whole one for the four nearest.
-  const double reach = (this->Current.Bilinear ? 1.0 : 0.5) / this->Current.Resolution;
   const glm::dmat4 toUnit =
     glm::scale(glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)), glm::dvec3(0.5));
   const glm::dmat4 WCToVC = frame.GetWCToVC();
@@ -399,12 +397,13 @@ void vtkShadowMaps::UpdateViewVectors(vtkShadowFrame& frame, bool changed)
     const bool directional = frame.Lights[view.Light].IsDirectional();
     const glm::dvec4 place = WCToVC * glm::dvec4(view.Frustum.Place, directional ? 0.0 : 1.0);
     const glm::dmat3 turn(WCToVC);
-    this->ViewVectors.emplace_back(glm::dvec4(turn * view.Frustum.WindowX * reach, place.x));
-    this->ViewVectors.emplace_back(glm::dvec4(turn * view.Frustum.WindowY * reach, place.y));
+    const double texel = view.Frustum.DepthScale / this->Current.Resolution;
+    this->ViewVectors.emplace_back(glm::dvec4(turn * view.Frustum.WindowX * texel, place.x));
+    this->ViewVectors.emplace_back(glm::dvec4(turn * view.Frustum.WindowY * texel, place.y));
     this->ViewVectors.emplace_back(glm::dvec4(view.Weight, place.z));
     if (this->Current.Neighbours)
     {
-      this->AddKernelVectors(frame.Lights[view.Light], view, reach);
+      this->AddKernelVectors(frame.Lights[view.Light], view);
     }
   }
   if (!this->Few)
@@ -414,7 +413,7 @@ void vtkShadowMaps::UpdateViewVectors(vtkShadowFrame& frame, bool changed)
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowMaps::AddKernelVectors(const vtkShadowLight& light, const View& view, double reach)
+void vtkShadowMaps::AddKernelVectors(const vtkShadowLight& light, const View& view)
 {
   const vtkLightView& frustum = view.Frustum;
   const glm::dvec2 window(glm::length(frustum.WindowX), glm::length(frustum.WindowY));
@@ -430,8 +429,8 @@ void vtkShadowMaps::AddKernelVectors(const vtkShadowLight& light, const View& vi
     glm::dvec4(glm::dot(u, x), glm::dot(u, y), glm::dot(v, x), glm::dot(v, y)) *
     glm::dvec4(scale, scale));
   this->ViewVectors.emplace_back(glm::dvec4(frustum.DepthScale, window, 0.0));
-  this->ViewVectors.emplace_back(
-    glm::dvec4(frustum.Face ? 1 : 0, sphere ? 1 : 0, this->GetSeparation(view.Light), 1.0 / reach));
+  this->ViewVectors.emplace_back(glm::dvec4(frustum.Face ? 1 : 0, sphere ? 1 : 0,
+    this->GetSeparation(view.Light), this->Current.Resolution / frustum.DepthScale));
   const glm::dvec3 z = glm::cross(x, y); // along the axis: windows are right-handed with it
   this->ViewVectors.emplace_back(
     glm::dvec4(glm::dot(u, z), glm::dot(v, z), sphere ? radius : 0.0, 0.0));
@@ -463,7 +462,9 @@ std::string vtkShadowMaps::GetGLSL() const
   const bool cut = std::any_of(this->Views.begin(), this->Views.end(),
     [](const View& v) { return std::count(v.Frustum.Cut.begin(), v.Frustum.Cut.end(), true) > 0; });
   const int vectors = VectorsOfView + (this->Current.Neighbours ? VectorsOfKernel : 0);
-  std::string source = "#define SHADOW_VIEW_VECTORS " + std::to_string(vectors) + "\n" +
+  std::string source = "#define SHADOW_VIEW_VECTORS " + std::to_string(vectors) +
+                       "\n#define SHADOW_MAP_SIDE " + std::to_string(this->Current.Resolution) +
+                       ".0\n" + (this->Current.Bilinear ? "#define SHADOW_BILINEAR\n" : "") +
                        (clipped ? "#define SHADOW_CLIPPED_VIEWS\n" : "") +
                        (cut ? "#define SHADOW_CUT_VIEWS\n" : "");
   if (this->Few)

@@ -101,7 +101,7 @@ private:
   bool AllocateLayers(vtkOpenGLRenderWindow* window);
   void ReleaseUnused(vtkOpenGLRenderWindow* window);
   void DrawMidpoint(vtkShadowFrame& frame, int view);
-  void AddKernelVectors(const vtkShadowLight& light, const View& view, double reach);
+  void AddKernelVectors(const vtkShadowLight& light, const View& view);
   void UpdateViewVectors(vtkShadowFrame& frame, bool changed);
 
   vtkShadowMapSettings Current;

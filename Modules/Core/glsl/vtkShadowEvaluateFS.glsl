@@ -1,4 +1,5 @@
 //VTK::System::Dec
+#extension GL_ARB_shader_bit_encoding : require
 
 // Visibility of one light at each pixel of the receivers' buffer.
 
@@ -6,7 +7,7 @@
 
 //SHADOW::Declarations
 
-uniform sampler2DArray shadowReceivers; // position in VC; w: packed normal, negative if not casting
+uniform sampler2DArray shadowReceivers; // position in VC; w: packed, negative if not casting
 uniform int shadowLight;
 #ifdef SHADOW_OUTPUT_CHANGE
 uniform float shadowShare; // of the light that this part stands for
@@ -20,7 +21,9 @@ void main()
   SHADOW_VISIBILITY visibility = SHADOW_VISIBILITY(1.0);
   if (receiverVC.w != 0.0)
   {
-    vec3 normalVC = shadowUnpackNormal(abs(receiverVC.w));
+    shadowReceiver receiver = shadowUnpackReceiver(receiverVC.w);
+    vec3 normalVC = receiver.normalVC;
+    shadowPropRounding = receiver.rounding;
     shadowSelf = receiverVC.w > 0.0;
     if (shadowFacesAway(shadowLight, receiverVC.xyz, normalVC))
     {

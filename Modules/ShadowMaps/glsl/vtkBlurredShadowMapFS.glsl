@@ -1,4 +1,5 @@
 //VTK::System::Dec
+#extension GL_ARB_shader_bit_encoding : require
 
 // One direction of the blur of map-blur: see vtkBlurredShadowMapPass.
 
@@ -114,7 +115,7 @@ void main()
   if (receiverVC.w != 0.0)
   {
 #ifndef SHADOW_PLAIN
-    vec3 normalVC = shadowUnpackNormal(abs(receiverVC.w));
+    vec3 normalVC = shadowUnpackReceiver(receiverVC.w).normalVC;
     mat3 toLight;
     shadowFootprint(receiverVC.xyz, toLight);
     // What a pixel's step is on the receiver, and how many pixels the points are apart to reach two
@@ -149,7 +150,7 @@ void main()
         vec3 apartVC = tapVC.xyz - receiverVC.xyz;
         vec2 st = (toLight * apartVC).xy / deviation;
         float off = dot(normalVC, apartVC) / thickness;
-        vec3 tapNormalVC = shadowUnpackNormal(max(abs(tapVC.w), 1.0));
+        vec3 tapNormalVC = shadowUnpackReceiver(tapVC.w).normalVC;
         float turn = max(dot(normalVC, tapNormalVC), 0.0);
         float weight = exp(-0.5 * (dot(st, st) + off * off)) * turn * turn;
         // What its own surface hides there is no shadow here.

@@ -14,7 +14,7 @@
 //
 // A view's further vectors: 7: axisU, axisV, straight along the view; 8: depth times distance, lengths
 // of the window's sides at w = 1; 9: face of a cube, sphere (each 0 or 1), separation that filters of
-// constant width assume, window over texels of one look-up; 10: lengths of the half axes along the
+// constant width assume, window over texels and depth scale of 4 and 5; 10: lengths of the half axes along the
 // view's axis, radius of a sphere; 11: low x, low y, high x, high y that look-ups have to keep within.
 //
 // Each technique defines `float shadowFilter(int view, shadowKernel kernel)`.
@@ -26,14 +26,16 @@ const float shadowNormalRounding = 1.0 / 2048.0;
 
 struct shadowKernel
 {
-  vec3 receiverLC; // moved by its bias
+  vec3 receiverLC; // without its bias
   float layer;
   float w;        // distance along the view's axis; 1 for a directional light
   vec2 axisULC;   // over the map, for one unit of depth
   vec2 axisVLC;
   vec2 tilt;
   vec2 slopeLC;   // of the receiver's plane: depth over the map
-  float wobble;   // the same of what its normal may be off
+  vec2 rise;      // the same over a texel; and where it is read: see shadowUphill
+  vec2 uphill;
+  float wobble;   // as slopeLC, of what its normal may be off
   vec3 horizon;   // height of the light's point (s, t) above the receiver's plane: x + s y + t z
   bool horizonCuts;
   bool square;    // (s, t) fill a square, else a disk
@@ -55,7 +57,7 @@ bool shadowFindKernel(int light, int view, vec3 positionVC, vec3 normalVC, out s
   vec3 windowX = SHADOW_VIEW(view, 4).xyz * form.w;
   vec3 windowY = SHADOW_VIEW(view, 5).xyz * form.w;
   vec3 placeVC = vec3(SHADOW_VIEW(view, 4).w, SHADOW_VIEW(view, 5).w, SHADOW_VIEW(view, 6).w);
-  vec4 receiverVC = shadowMoveReceiver(view, positionVC, normalVC);
+  vec4 receiverVC = shadowRaise(view, positionVC, normalVC);
   float w = dot(SHADOW_VIEW(view, 3), receiverVC);
 
   kernel.receiverLC = shadowProject(view, receiverVC);
@@ -84,9 +86,13 @@ bool shadowFindKernel(int light, int view, vec3 positionVC, vec3 normalVC, out s
   // The receiver's plane over the map. Its slope ends where the light's centre grazes it: the light's
   // points above the horizon then decide.
   vec2 planeLC = measures.x * vec2(dot(normalVC, windowX), dot(normalVC, windowY));
-  float height = max(dot(normalVC, towardsVC), 1e-4 * kernel.w);
+  float centre = dot(normalVC, towardsVC);
+  float height = max(centre, 1e-4 * kernel.w);
   float self = shadowSelf ? 1.0 : 0.0;
   kernel.slopeLC = self * planeLC / height;
+  kernel.rise = planeLC / (SHADOW_MAP_SIDE * max(centre, 1e-30));
+  vec2 placeLC = kernel.receiverLC.xy;
+  kernel.uphill = shadowUphill(kernel.rise, placeLC);
   kernel.wobble = self * shadowNormalRounding * measures.x * max(measures.y, measures.z) / height *
     dot(normalVC, normalVC); // lines and points have none
   // The axes are seen along the receiver's direction: the tilt takes that back.
@@ -122,11 +128,21 @@ float shadowReach(shadowKernel kernel, float delta)
 #endif
 }
 
-// The depth that blockers are in front of, for look-ups within an extent: the receiver's, less what
-// its normal may be off there.
+// The depth that blockers are in front of, for look-ups within an extent: the receiver's, less its bias
+// and what its normal may be off there. Look-ups that leave the texels around the receiver uphill may
+// read one that is as far from them as can be.
 float shadowReference(shadowKernel kernel, vec2 extent)
 {
-  return kernel.receiverLC.z - kernel.wobble * (extent.x + extent.y);
+#ifdef SHADOW_BILINEAR
+  vec2 border = kernel.uphill;
+  const float most = 1.0;
+#else
+  vec2 border = 0.5 - kernel.uphill;
+  const float most = 0.5;
+#endif
+  vec2 within = vec2(greaterThan(border, extent * SHADOW_MAP_SIDE + 1.0 / 128.0));
+  return kernel.receiverLC.z - shadowBias(kernel.rise, mix(vec2(most), kernel.uphill, within)) -
+    kernel.wobble * (extent.x + extent.y);
 }
 
 // What a look-up at an offset compares with. Blockers lie in front of the receiver, and above its
@@ -171,7 +187,8 @@ float shadowClassify(shadowKernel kernel, vec2 rangeLC, float reference, vec2 ex
 {
   float lowest = min(reference - dot(abs(kernel.slopeLC), extent), 1.0);
   // Light must hold for the narrower extents too, whose reference is the higher.
-  bool lit = rangeLC.x >= min(kernel.receiverLC.z, 1.0) && !kernel.horizonCuts;
+  float highest = kernel.receiverLC.z - shadowBias(kernel.rise, kernel.uphill);
+  bool lit = rangeLC.x >= min(highest, 1.0) && !kernel.horizonCuts;
   return lit ? 1.0 : (rangeLC.y < lowest ? 0.0 : -1.0);
 }
 

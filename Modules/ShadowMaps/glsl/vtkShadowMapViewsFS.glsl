@@ -1,9 +1,9 @@
 // The views of depth maps: see vtkShadowMaps.
 //
 // A view is SHADOW_VIEW_VECTORS vectors: the rows of the matrix from VC to the map ([0,1] in x, y and
-// z after division: LC), the extent in VC at w = 1 of the texels that one look-up can read, along the
-// map's x and y, and the weight of the view's sample. The last three have the place that the view
-// looks from in their fourth components. Five more follow for look-ups around a point: see
+// z after division: LC), the extent in VC at w = 1 of a texel along the map's x and y, times the depth
+// scale (see vtkLightView), and the weight of the view's sample. The last three have the place that
+// the view looks from in their fourth components. Five more follow for look-ups around a point: see
 // vtkShadowMapKernelFS.glsl.
 //
 // SHADOW_FEW_VIEWS is defined to their number where they are few: what loops over them unrolls where the
@@ -24,18 +24,6 @@ uniform int shadowFirstLayer; // the view that layer 0 holds
 #define SHADOW_VIEW(view, vector) texelFetch(shadowViews, SHADOW_VIEW_VECTORS * (view) + (vector))
 #endif
 
-// The receiver as a view's map sees it. Bias without a knob: a plane that is moved along its normal
-// by what it can rise within the texels of one look-up is in front of its own samples in the map, and
-// not a hair more. A plane's depth over the map's texels grows by |n.x|, |n.y| times their extent at
-// that distance, measured along its normal: so there is no slope to divide by.
-vec4 shadowMoveReceiver(int view, vec3 positionVC, vec3 normalVC)
-{
-  float w = dot(SHADOW_VIEW(view, 3), vec4(positionVC, 1.0));
-  float rise = abs(dot(normalVC, SHADOW_VIEW(view, 4).xyz)) +
-    abs(dot(normalVC, SHADOW_VIEW(view, 5).xyz));
-  return vec4(positionVC + (rise * w + shadowRounding(positionVC)) * normalVC, 1.0);
-}
-
 // Its place in the map. Behind the light, w is negative: the quotient of a tiny one lies far outside
 // of the map. Maps have a clear border, so outside there is light.
 vec3 shadowProject(int view, vec4 receiverVC)
@@ -43,4 +31,64 @@ vec3 shadowProject(int view, vec4 receiverVC)
   float w = max(dot(SHADOW_VIEW(view, 3), receiverVC), 1e-30);
   return vec3(dot(SHADOW_VIEW(view, 0), receiverVC), dot(SHADOW_VIEW(view, 1), receiverVC),
     dot(SHADOW_VIEW(view, 2), receiverVC)) / w;
+}
+
+// To the place that the view looks from, or, for a directional light, its direction.
+vec3 shadowTowards(int view, vec3 positionVC)
+{
+  vec3 placeVC = vec3(SHADOW_VIEW(view, 4).w, SHADOW_VIEW(view, 5).w, SHADOW_VIEW(view, 6).w);
+  return SHADOW_VIEW(view, 3).xyz == vec3(0.0) ? placeVC : placeVC - positionVC;
+}
+
+// The receiver above its plane by what it may be off: towards the light, which leaves its place in the
+// map, or along the normal where that would be far.
+vec4 shadowRaise(int view, vec3 positionVC, vec3 normalVC)
+{
+  vec3 towardsVC = shadowTowards(view, positionVC);
+  float height = dot(normalVC, towardsVC);
+  vec3 upVC = 16.0 * height > length(towardsVC) ? towardsVC / height : normalVC;
+  return vec4(positionVC + shadowRounding(positionVC) * upVC, 1.0);
+}
+
+// Bias without a knob: a plane's own samples in the texels that a look-up reads are nearer to the light
+// than the receiver by what the plane rises up to them, and by so much less is the depth to compare
+// with. How far up that is along x and y, in texels: to the next of the four nearest for a bilinear
+// look-up, to the middle of the one texel else. Rise is the plane's depth a texel; only its sign counts.
+// `placeLC` is moved clear of where others would be read, or rounding might take them.
+vec2 shadowUphill(vec2 rise, inout vec2 placeLC)
+{
+#ifdef SHADOW_BILINEAR
+  const float middle = 0.5;
+#else
+  const float middle = 0.0;
+#endif
+  vec2 texel = placeLC * SHADOW_MAP_SIDE - middle;
+  vec2 first = floor(texel);
+  vec2 beside = clamp(texel - first, vec2(1.0 / 128.0), vec2(127.0 / 128.0));
+  placeLC = (first + beside + middle) / SHADOW_MAP_SIDE;
+#ifdef SHADOW_BILINEAR
+  return mix(1.0 - beside, beside, vec2(greaterThan(rise, vec2(0.0))));
+#else
+  return abs(beside - 0.5);
+#endif
+}
+
+// By how much less. A hair of a texel more is for folds of the surface, whose other side rises more.
+float shadowBias(vec2 rise, vec2 uphill)
+{
+  return dot(abs(rise), uphill + 1.0 / 32.0);
+}
+
+// Where one look-up finds the receiver in the map, and the depth that it compares with.
+vec3 shadowPlaceReceiver(int view, vec3 positionVC, vec3 normalVC)
+{
+  vec4 receiverVC = shadowRaise(view, positionVC, normalVC);
+  vec3 receiverLC = shadowProject(view, receiverVC);
+  float height = max(dot(normalVC, shadowTowards(view, receiverVC.xyz)), 1e-30);
+  vec2 rise =
+    vec2(dot(normalVC, SHADOW_VIEW(view, 4).xyz), dot(normalVC, SHADOW_VIEW(view, 5).xyz)) / height;
+  vec2 uphill = shadowUphill(rise, receiverLC.xy);
+  // Behind the far plane, all casters are in front.
+  receiverLC.z = min(receiverLC.z, 1.0) - shadowBias(rise, uphill);
+  return receiverLC;
 }

@@ -1,4 +1,5 @@
 //VTK::System::Dec
+#extension GL_ARB_shader_bit_encoding : require
 
 // What volumes need not be asked: 1 where there is no receiver, 0 where the surface hides the whole
 // light from itself, which rounding where a volume leaves its own surface must not change.
@@ -15,7 +16,8 @@ void main()
   vec4 receiverVC = texelFetch(shadowReceivers, ivec3(gl_FragCoord.xy, 0), 0);
   bool receives = receiverVC.w != 0.0;
   shadowSelf = receiverVC.w > 0.0;
-  if (receives && !shadowFacesAway(shadowLight, receiverVC.xyz, shadowUnpackNormal(abs(receiverVC.w))))
+  vec3 normalVC = shadowUnpackReceiver(receiverVC.w).normalVC;
+  if (receives && !shadowFacesAway(shadowLight, receiverVC.xyz, normalVC))
   {
     discard;
   }
