@@ -255,7 +255,8 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer, vtkTranslucentCasters trans
       // What casts nothing has no place: it must not move the origin, nor widen a map.
       surfaces = surfaces || !mesh->Indices.empty() || mesh->Dropped > 0;
       dropped += mesh->Dropped;
-      notFinite += mesh->NotFinite;
+      notFinite +=
+        IsFinite(modelToWorld) ? mesh->NotFinite : mesh->NotFinite + mesh->GetNumberOfTriangles();
       if (!mesh->Indices.empty() && IsFinite(modelToWorld))
       {
         placed.push_back(

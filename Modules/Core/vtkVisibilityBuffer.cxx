@@ -9,6 +9,13 @@
 #include <cmath>
 
 //------------------------------------------------------------------------------
+bool vtkShadowReceiver::IsOne(const glm::vec4& texel)
+{
+  return texel.w != 0.0f && std::isfinite(texel.x) && std::isfinite(texel.y) &&
+    std::isfinite(texel.z) && std::isfinite(texel.w);
+}
+
+//------------------------------------------------------------------------------
 vtkShadowReceiver vtkShadowReceiver::Unpack(float packed)
 {
   int exponent;

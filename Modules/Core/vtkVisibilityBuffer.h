@@ -27,6 +27,8 @@ struct VTKSOFTSHADOWSCORE_EXPORT vtkShadowReceiver
   glm::dvec3 Normal{ 0.0 }; // unit, in VC
   double Rounding = 0.0;    // how far its prop's positions may be off: a power of two
 
+  /** Whether a texel is one: what is not finite counts as lit, and is asked nothing. */
+  static bool IsOne(const glm::vec4& texel);
   /** Of a component that is not 0; its sign, a flag, does not matter. */
   static vtkShadowReceiver Unpack(float packed);
 };

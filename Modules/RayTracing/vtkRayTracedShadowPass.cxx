@@ -91,9 +91,11 @@ void vtkRayTracedShadowPass::FillVisibility(vtkShadowFrame& frame, vtkVisibility
   std::vector<vtkShadowRayTracer::Receiver> receivers;
   receivers.reserve(texels.size());
   const glm::dmat3 turn(frame.VCToWC);
+  std::size_t notFinite = 0;
   for (std::size_t i = 0; i < texels.size(); ++i)
   {
-    if (texels[i].w != 0.0f)
+    notFinite += texels[i].w != 0.0f && !vtkShadowReceiver::IsOne(texels[i]) ? 1 : 0;
+    if (vtkShadowReceiver::IsOne(texels[i]))
     {
       const glm::dvec3 positionVC(texels[i]);
       const glm::dvec3 position(frame.VCToWC * glm::dvec4(positionVC, 1.0));
@@ -103,6 +105,7 @@ void vtkRayTracedShadowPass::FillVisibility(vtkShadowFrame& frame, vtkVisibility
         std::max(0.0, receiver.Rounding - rounding), static_cast<int>(i), texels[i].w > 0.0f });
     }
   }
+  frame.Counts["receiversNotFinite"] = static_cast<double>(notFinite);
   const glm::dmat4 clipToWC = glm::inverse(frame.VCToClip * frame.GetWCToVC());
   this->Tracer->FindPositions(receivers,
     [&](int pixel)

@@ -19,7 +19,7 @@ void main()
 {
   vec4 receiverVC = texelFetch(shadowReceivers, ivec3(gl_FragCoord.xy, 0), 0);
   SHADOW_VISIBILITY visibility = SHADOW_VISIBILITY(1.0);
-  if (receiverVC.w != 0.0)
+  if (shadowIsReceiver(receiverVC))
   {
     shadowReceiver receiver = shadowUnpackReceiver(receiverVC.w);
     vec3 normalVC = receiver.normalVC;

@@ -7,6 +7,12 @@ struct shadowReceiver
   float rounding; // of its prop's positions: a power of two that is not less
 };
 
+// A texel of a receiver. What is not finite counts as lit: it is asked nothing.
+bool shadowIsReceiver(vec4 texel)
+{
+  return texel.w != 0.0 && !any(isnan(texel)) && !any(isinf(texel));
+}
+
 // Of the texel's fourth component, which is not 0 and whose sign is a flag.
 shadowReceiver shadowUnpackReceiver(float texel)
 {

@@ -112,7 +112,7 @@ void main()
   float deviation =
     shadowLightVVC[shadowLight].w > 0.0 ? shadowSquareDeviation : shadowDiskDeviation;
   float above = 1.0;
-  if (receiverVC.w != 0.0)
+  if (shadowIsReceiver(receiverVC))
   {
 #ifndef SHADOW_PLAIN
     vec3 normalVC = shadowUnpackReceiver(receiverVC.w).normalVC;
@@ -157,7 +157,7 @@ void main()
         vec3 tapHorizon = shadowHorizon(tapVC.xyz, tapNormalVC);
         bool hidden = tapVC.w > 0.0 && (tapHorizon.x < -shadowMost(tapHorizon) ||
           (!own && !shadowSeesAll(tapHorizon)));
-        weight = tapVC.w == 0.0 || hidden ? 0.0 : weight;
+        weight = !shadowIsReceiver(tapVC) || hidden ? 0.0 : weight;
 #endif
         weight = inside ? weight : 0.0;
         sum += weight * mask;

@@ -13,6 +13,7 @@ void main()
 {
   vec4 receiverVC = texelFetch(shadowReceivers, ivec3(gl_FragCoord.xy, 0), 0);
   vec4 positionVC = vec4(receiverVC.xyz, 1.0);
-  gl_FragDepth = receiverVC.w == 0.0 ? 1.0
+  bool receives = receiverVC.w != 0.0 && !any(isnan(receiverVC)) && !any(isinf(receiverVC));
+  gl_FragDepth = !receives ? 1.0
     : clamp(dot(shadowDepthRow, positionVC) / dot(shadowWRow, positionVC), 0.0, 1.0);
 }

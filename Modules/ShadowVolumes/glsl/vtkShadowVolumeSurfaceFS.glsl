@@ -14,7 +14,7 @@ uniform int shadowLight;
 void main()
 {
   vec4 receiverVC = texelFetch(shadowReceivers, ivec3(gl_FragCoord.xy, 0), 0);
-  bool receives = receiverVC.w != 0.0;
+  bool receives = shadowIsReceiver(receiverVC);
   shadowSelf = receiverVC.w > 0.0;
   vec3 normalVC = shadowUnpackReceiver(receiverVC.w).normalVC;
   if (receives && !shadowFacesAway(shadowLight, receiverVC.xyz, normalVC))
