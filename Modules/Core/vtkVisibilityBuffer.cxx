@@ -12,7 +12,7 @@
 bool vtkShadowReceiver::IsOne(const glm::vec4& texel)
 {
   return texel.w != 0.0f && std::isfinite(texel.x) && std::isfinite(texel.y) &&
-    std::isfinite(texel.z) && std::isfinite(texel.w);
+         std::isfinite(texel.z) && std::isfinite(texel.w);
 }
 
 //------------------------------------------------------------------------------

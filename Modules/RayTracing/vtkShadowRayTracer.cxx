@@ -85,8 +85,8 @@ void PassHoles(const RTCFilterFunctionNArguments* arguments)
   for (unsigned int i = 0; i < arguments->N; ++i)
   {
     if (arguments->valid[i] == -1 &&
-      mesh.Holes->IsHole(&mesh.Indices[3 * RTCHitN_primID(arguments->hit, arguments->N, i)],
-        RTCHitN_u(arguments->hit, arguments->N, i), RTCHitN_v(arguments->hit, arguments->N, i)))
+        mesh.Holes->IsHole(&mesh.Indices[3 * RTCHitN_primID(arguments->hit, arguments->N, i)],
+          RTCHitN_u(arguments->hit, arguments->N, i), RTCHitN_v(arguments->hit, arguments->N, i)))
     {
       arguments->valid[i] = 0;
     }

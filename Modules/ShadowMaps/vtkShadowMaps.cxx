@@ -79,7 +79,8 @@ std::vector<vtkShadowMaps::View> vtkShadowMaps::MakeViews(
       views.push_back({ frustum, place.Weight, index });
     }
   }
-  state.Exceeded = !views.empty() && views.front().Frustum.Face && frusta.IsOverlapExceeded(*frame.Casters);
+  state.Exceeded =
+    !views.empty() && views.front().Frustum.Face && frusta.IsOverlapExceeded(*frame.Casters);
   return views;
 }
 
@@ -116,15 +117,13 @@ bool vtkShadowMaps::Update(vtkShadowFrame& frame, const vtkShadowMapSettings& se
       const auto made = this->MakeViews(frame, static_cast<int>(i), state);
       views.insert(views.end(), made.begin(), made.end());
       // Receivers matter only where they change what the frusta hug.
-      same =
-        same && static_cast<int>(made.size()) == this->Lights[i].Count &&
-        state.Casters == this->Lights[i].Casters &&
-        std::equal(made.begin(), made.end(), old,
-          [](const View& a, const View& b)
-          {
-            return a.Frustum.WCToClip == b.Frustum.WCToClip &&
-                   a.Frustum.Casters == b.Frustum.Casters;
-          });
+      same = same && static_cast<int>(made.size()) == this->Lights[i].Count &&
+             state.Casters == this->Lights[i].Casters &&
+             std::equal(made.begin(), made.end(), old,
+               [](const View& a, const View& b) {
+                 return a.Frustum.WCToClip == b.Frustum.WCToClip &&
+                        a.Frustum.Casters == b.Frustum.Casters;
+               });
     }
     state.Count = static_cast<int>(views.size()) - state.First;
     changed.push_back(!same || state.First != this->Lights[i].First);
