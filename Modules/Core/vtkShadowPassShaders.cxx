@@ -152,16 +152,19 @@ double vtkShadowPass::Internals::GetRounding(vtkAbstractMapper* mapper, vtkProp*
     auto* data = glyphs ? nullptr : vtkDataSet::SafeDownCast(whole->GetInputDataObject(0, 0));
     bounds = data ? data->GetBounds() : whole->GetBounds();
   }
-  vtkCamera* camera = this->Renderer->GetActiveCamera();
-  double rounding = camera->GetParallelProjection() ? camera->GetParallelScale() / 524288.0 : 0.0;
+  const vtkShadowFrame& frame = this->Frame;
+  double rounding = frame.IsParallel()
+    ? 0.5 * this->Size[1] * glm::length(frame.GetPixelVC(1)) / 524288.0
+    : 0.0;
   if (bounds && bounds[0] <= bounds[1])
   {
     auto* glMapper = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
     vtkOpenGLVertexBufferObject* points =
       glMapper && !glyphs ? glMapper->GetVBOs()->GetVBO("vertexMC") : nullptr;
     const bool shifted = points && points->GetCoordShiftAndScaleEnabled();
-    const glm::dmat4 modelToVC =
-      this->Frame.GetWorldToVC() * glm::transpose(glm::make_mat4(actor->GetMatrix()->GetData()));
+    // VTK's view coordinates, before they are made rigid.
+    const glm::dmat4 modelToVC = glm::dmat4(glm::inverse(frame.VTKToVC)) * frame.GetWorldToVC() *
+      glm::transpose(glm::make_mat4(actor->GetMatrix()->GetData()));
     const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
     const glm::dvec3 high(bounds[1], bounds[3], bounds[5]);
     const glm::dvec3 middle = 0.5 * (low + high);
@@ -178,6 +181,11 @@ double vtkShadowPass::Internals::GetRounding(vtkAbstractMapper* mapper, vtkProp*
                 glm::length(2.0 * (glm::abs(axes[0]) * half.x + glm::abs(axes[1]) * half.y +
                                     glm::abs(axes[2]) * half.z)) /
                   4194304.0;
+  }
+  if (!frame.Rigid)
+  {
+    rounding *= glm::length(frame.VTKToVC[0]) + glm::length(frame.VTKToVC[1]) +
+      glm::length(frame.VTKToVC[2]);
   }
   // To a power of two, as the receivers' buffer keeps it; what is not finite bounds nothing.
   int exponent = LeastExponent;
