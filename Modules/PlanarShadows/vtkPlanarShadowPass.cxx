@@ -6,6 +6,7 @@
 #include "vtkPlanarShadowMaps.h"
 #include "vtkPlanarViewFS.h"
 #include "vtkShaderProgram.h"
+#include "vtkShadowCasters.h"
 #include "vtkShadowFrame.h"
 #include "vtkShadowPlanes.h"
 #include "vtkShadowVTKVersion.h"
@@ -115,7 +116,9 @@ bool vtkPlanarShadowPass::UpdateLightData(vtkShadowFrame& frame)
   frame.Counts["planes"] = planes;
   frame.Counts["planesFound"] = this->Planes->GetFound();
   frame.Counts["planesLeftOut"] = this->Planes->GetFound() - planes;
-  if (planes == 0)
+  const auto& casters = frame.Casters->Get();
+  if (planes == 0 && std::none_of(casters.begin(), casters.end(),
+                       [](const vtkShadowCaster& caster) { return caster.Mesh->Flat; }))
   {
     this->WarnOnce("nothing receives a shadow: no prop is flat, and no plane is given (AddPlane).");
   }
