@@ -218,9 +218,9 @@ SHADOW_TEST(Filters, ResolutionFollowsThePicture, Each)
     ShadowTest::CheckEqual(std::sqrt(bytes / 4.0), side, what + ": side of the map");
     ShadowTest::CheckEqual(stage.Count("mapsDrawn"), drawn, what + ": maps drawn");
   };
-  check(160, 120, 512.0, 1.0);
-  check(200, 300, 512.0, 0.0);
-  check(600, 100, 1024.0, 1.0);
+  check(160, 120, 1024.0, 1.0);
+  check(200, 300, 1024.0, 0.0);
+  check(1100, 100, 2048.0, 1.0);
 }
 
 //------------------------------------------------------------------------------
