@@ -89,6 +89,6 @@ vec3 shadowPlaceReceiver(int view, vec3 positionVC, vec3 normalVC)
     vec2(dot(normalVC, SHADOW_VIEW(view, 4).xyz), dot(normalVC, SHADOW_VIEW(view, 5).xyz)) / height;
   vec2 uphill = shadowUphill(rise, receiverLC.xy);
   // Behind the far plane, all casters are in front.
-  receiverLC.z = min(receiverLC.z, 1.0) - shadowBias(rise, uphill);
+  receiverLC.z = min(receiverLC.z - shadowBias(rise, uphill), 1.0);
   return receiverLC;
 }
