@@ -278,7 +278,7 @@ SHADOW_TEST(LightsMany, ChangesBetweenFrames, Each)
   vtkLight* camera = stage.AddPlainLight(true, { -0.8, 0.6, 0.4 });
   camera->SetLightTypeToCameraLight();
   vtkLight* scene = stage.AddPlainLight(true, { -2.5, -2.0, 5.5 });
-  const std::vector<vtkLight*> lights = { head, camera, scene };
+  std::vector<vtkLight*> lights = { head, camera, scene };
   const std::pair<const char*, std::function<void()>> changes[] = {
     { "all three", [] {} },
     { "the first off", [&] { head->SwitchOff(); } },
@@ -302,7 +302,12 @@ SHADOW_TEST(LightsMany, ChangesBetweenFrames, Each)
         scene->SwitchOn();
       } },
     { "the second black", [&] { camera->SetIntensity(0.0); } },
-    { "the second removed", [&] { stage.Renderer->RemoveLight(camera); } },
+    { "the second removed",
+      [&]
+      {
+        stage.Renderer->RemoveLight(camera);
+        lights.erase(lights.begin() + 1); // there is nothing to ask for
+      } },
   };
   stage.SetPass(technique, Fine);
   const vtkSmartPointer<vtkShadowPass> pass = stage.Pass;
@@ -317,8 +322,7 @@ SHADOW_TEST(LightsMany, ChangesBetweenFrames, Each)
     std::vector<Visibility> visibilities;
     for (vtkLight* light : lights)
     {
-      const bool casts = light->GetSwitch() && light->GetIntensity() > 0.0 &&
-                         stage.Renderer->GetLights()->IsItemPresent(light);
+      const bool casts = light->GetSwitch() && light->GetIntensity() > 0.0;
       visibilities.push_back(stage.GetVisibility(light));
       const std::string what =
         std::string(change.first) + ", light " + std::to_string(visibilities.size());
