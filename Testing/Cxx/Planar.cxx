@@ -280,6 +280,8 @@ SHADOW_TEST(Planar, GivenPlaneOfABody, Each)
     stage.Render();
     const std::string what = "scale " + std::to_string(scale);
     ShadowTest::CheckEqual(stage.Count("planesFound"), 0.0, what + ": planes found");
+    ShadowTest::CheckOneMessage(
+      ShadowTest::Message::Warning, { "nothing receives", "AddPlane" }, what + ": without a plane");
     const glm::dvec3 point = place({ 1.0, 0.0, 0.0 });
     const glm::dvec3 normal = place.Turn * glm::dvec3(0.0, 0.0, 1.0);
     GetPass(stage)->AddPlane(point.x, point.y, point.z, normal.x, normal.y, normal.z);
