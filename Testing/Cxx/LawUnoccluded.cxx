@@ -259,7 +259,7 @@ SHADOW_TEST(Law, BoxHoldsItsLight, Each)
     vtkAreaLight* light = stage.AddLight(kind, { -0.75, 0.35, 0.55 }, { 0.0, 0.0, 0.0 });
     light->SetRadius(0.2);
     // A filter of constant width looks as far around it at a contact: a narrow one.
-    stage.SetPass(technique, { { "width", "0.01" } });
+    stage.SetPass(technique, { { "width", "0.003" } });
     stage.Render();
     const Visibility visibility = stage.GetVisibility(0);
     Visibility dark = visibility;
