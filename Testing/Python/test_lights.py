@@ -96,7 +96,11 @@ class Lights(TestCase):
                 with self.subTest(technique=name, first=what):
                     change()
                     stage.render(shadows)
-                    self.assertTrue((visibility(shadows, first) == 1).all())
+                    if what == "removed":
+                        self.assertIsNone(shadows.GetVisibility(first))
+                        self.assertIn("not in the renderer", self.errors())
+                    else:
+                        self.assertTrue((visibility(shadows, first) == 1).all())
                     np.testing.assert_array_equal(visibility(shadows, second), before)
                     back()
                     stage.render(shadows)
