@@ -52,17 +52,6 @@ bool vtkShadowFrame::SetCamera(const glm::dmat4& worldToVTK, const glm::dmat4& V
 }
 
 //------------------------------------------------------------------------------
-double vtkShadowFrame::GetStretch() const
-{
-  const auto getNorm = [](const glm::dmat3& matrix)
-  {
-    return std::sqrt(glm::dot(matrix[0], matrix[0]) + glm::dot(matrix[1], matrix[1]) +
-                     glm::dot(matrix[2], matrix[2]));
-  };
-  return getNorm(this->VTKToVC) * getNorm(glm::inverse(this->VTKToVC)) / 3.0;
-}
-
-//------------------------------------------------------------------------------
 bool vtkShadowFrame::IsParallel() const
 {
   return glm::dvec3(glm::row(this->VCToClip, 3)) == glm::dvec3(0.0);

@@ -49,8 +49,6 @@ struct VTKSOFTSHADOWSCORE_EXPORT vtkShadowFrame
    * can be said of shadows then.
    */
   bool SetCamera(const glm::dmat4& worldToVTK, const glm::dmat4& VTKToClip);
-  /** How much longer VTKToVC makes some directions than others: 1 or more. */
-  double GetStretch() const;
   /** Of a parallel projection. */
   bool IsParallel() const;
   /** Where all lines of sight meet, w 1; or the direction towards the viewer, w 0. */
