@@ -51,10 +51,7 @@ std::string GetLaterReplacements(vtkActor* actor)
   }
   return later;
 }
-}
 
-namespace
-{
 /** Of a prop's rounding: the square of it, times two, is still a normal float. */
 constexpr int LeastExponent = -62;
 }

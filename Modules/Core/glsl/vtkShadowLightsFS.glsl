@@ -1,4 +1,5 @@
-// The casting lights: shared by the injected code and the evaluation in screen space. Vectors end in their space: VC view, LC light (a map's texture coordinates).
+// The casting lights: shared by the injected code and the evaluation in screen space. Vectors end in
+// their space: VC view, LC light (a map's texture coordinates).
 //
 // SHADOW_LIGHTS is their number. SHADOW_VISIBILITY is float, or vec3 where a light is textured.
 // SHADOW_HARD is defined where a light counts as its centre.
