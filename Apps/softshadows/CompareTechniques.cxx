@@ -74,7 +74,9 @@ Rows MakeRows(const CompareOptions& options)
   {
     rows.push_back(std::make_unique<Row>());
     rows.back()->Name = name;
-    rows.back()->Pass = options.Parameters.Create(name, false);
+    TechniqueOptions parameters = options.Parameters;
+    parameters.Measured = true;
+    rows.back()->Pass = parameters.Create(name, false);
   }
   return rows;
 }

@@ -27,7 +27,9 @@ vtkSmartPointer<vtkShadowPass> MakePass(int samples)
       "this build has no reference to compare with: the technique ray-traced is missing "
       "(SOFTSHADOWS_RAY_TRACING).");
   }
-  auto pass = TechniqueOptions().Create(ReferenceTechnique, true);
+  TechniqueOptions options;
+  options.Measured = true;
+  auto pass = options.Create(ReferenceTechnique, true);
   pass->SetParameter("samples", std::to_string(samples));
   Messages::Check("--reference-samples");
   return pass;

@@ -96,6 +96,10 @@ vtkSmartPointer<vtkShadowPass> TechniqueOptions::Create(
     throw Failure("technique '" + technique + "' cannot be made.");
   }
   SetQuality(pass, this->Quality);
+  if (this->Measured)
+  {
+    pass->SetParameter("terminator", "facets");
+  }
   const nlohmann::ordered_json description = Techniques::Describe(technique);
   for (const TechniqueSetting& setting : this->Settings)
   {

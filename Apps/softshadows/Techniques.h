@@ -33,6 +33,8 @@ struct TechniqueOptions
 {
   std::string Quality;
   std::vector<TechniqueSetting> Settings;
+  /** Facets cast and receive as they are, where it is not set otherwise: what errors are measured of. */
+  bool Measured = false;
 
   /** The options --quality and --set. */
   void Declare(CLI::App& command);

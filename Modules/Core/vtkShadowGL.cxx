@@ -48,12 +48,21 @@ bool vtkShadowTexture::Allocate(
   this->Bytes = 0;
   // First, so that drivers need not guess how many there will be.
   glTexParameteri(this->Target, GL_TEXTURE_MAX_LEVEL, levels - 1);
+  // All levels at once, where that can be: of others a driver may copy all when the base level changes.
+  const bool storage = VTK_SHADOW_HAS_GL(ARB_texture_storage) || VTK_SHADOW_HAS_GL(VERSION_4_2);
+  if (storage)
+  {
+    glTexStorage3D(this->Target, levels, layout.Internal, width, height, layers);
+  }
   for (int level = 0; level < levels; ++level)
   {
     const int levelWidth = std::max(1, width >> level);
     const int levelHeight = std::max(1, height >> level);
-    glTexImage3D(this->Target, level, layout.Internal, levelWidth, levelHeight, layers, 0,
-      layout.External, layout.Type, nullptr);
+    if (!storage)
+    {
+      glTexImage3D(this->Target, level, layout.Internal, levelWidth, levelHeight, layers, 0,
+        layout.External, layout.Type, nullptr);
+    }
     this->Bytes += layout.Size * levelWidth * levelHeight * layers;
   }
   const bool made = glGetError() == GL_NO_ERROR;

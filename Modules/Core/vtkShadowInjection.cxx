@@ -6,6 +6,8 @@
 #include "vtkShadowLightsFS.h"
 #include "vtkShadowReceiversFS.h"
 #include "vtkShadowShaderText.h"
+#include "vtkShadowTerminatorFS.h"
+#include "vtkShadowTerminatorVS.h"
 
 #include <algorithm>
 #include <cctype>
@@ -74,7 +76,7 @@ bool vtkShadowInjection::Code::operator==(const Code& other) const
 {
   return this->Declarations == other.Declarations && this->LightsOfSlot == other.LightsOfSlot &&
          this->Receivers == other.Receivers && this->Shading == other.Shading &&
-         this->Unrolled == other.Unrolled && this->Rigid == other.Rigid;
+         this->Unrolled == other.Unrolled && this->Rigid == other.Rigid && this->Smooth == other.Smooth;
 }
 
 //------------------------------------------------------------------------------
@@ -85,14 +87,16 @@ std::size_t vtkShadowInjection::Code::GetNumberOfLights() const
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowInjection::Mark(std::string& source)
+void vtkShadowInjection::Mark(const Shaders& shaders)
 {
-  vtkShaderProgram::Substitute(
-    source, "//VTK::Light::Dec", "//SHADOW::Dec\n//VTK::Light::Dec", false);
-  vtkShaderProgram::Substitute(
-    source, "//VTK::UniformFlow::Impl", "//SHADOW::UniformFlow\n  //VTK::UniformFlow::Impl", false);
-  vtkShaderProgram::Substitute(
-    source, "//VTK::Light::Impl", "//SHADOW::Impl\n  //VTK::Light::Impl\n  //SHADOW::End", false);
+  const auto mark = [](std::string& source, const std::string& theirs, const std::string& ours,
+                      const std::string& after = "", bool all = false)
+  { vtkShaderProgram::Substitute(source, theirs, ours + "\n  " + theirs + after, all); };
+  mark(shaders.Fragment, "//VTK::Light::Dec", "//SHADOW::Dec");
+  mark(shaders.Fragment, "//VTK::UniformFlow::Impl", "//SHADOW::UniformFlow");
+  mark(shaders.Fragment, "//VTK::Light::Impl", "//SHADOW::Impl", "\n  //SHADOW::End");
+  mark(shaders.Geometry, "//VTK::Normal::Dec", "//SHADOW::Normal::Dec");
+  mark(shaders.Geometry, "//VTK::Normal::Impl", "//SHADOW::Normal::Impl", "", true);
 }
 
 namespace
@@ -101,17 +105,19 @@ namespace
 class Filling
 {
 public:
-  Filling(const std::string& source, const Code& code, bool catches, const std::string& later)
-    : Source(source)
+  Filling(const vtkShadowInjection::Shaders& shaders, const Code& code, bool catches,
+    const std::string& later)
+    : Target(shaders)
+    , Source(shaders.Fragment)
     , Content(code)
     , Catches(catches)
-    , Known(source)
+    , Known(this->Source)
     , Later(later)
   {
   }
 
   /** Insert all that can be; what cannot is told. */
-  std::string Fill(std::string& result)
+  std::string Fill()
   {
     if (this->Known.GetMainBegin() == Text::None)
     {
@@ -123,14 +129,14 @@ public:
       this->Positioned = this->Lit = false;
     }
     this->AddColors();
+    this->AddTerminator();
     this->AddVisibility();
     this->AddReceivers();
     this->AddCatching();
     const std::size_t mark = FindMark(this->Source, "//SHADOW::Dec");
     this->Inserted.Add(
       this->Known.IsGlobal(mark) ? mark : this->Known.GetMainHead(), this->Declarations + "\n");
-    result = this->Source;
-    this->Inserted.Apply(result);
+    this->Inserted.Apply(this->Target.Fragment);
     return this->Problem;
   }
 
@@ -201,7 +207,7 @@ private:
   bool IsTaken()
   {
     const std::string locals =
-      " shadowDxVC shadowDyVC shadowNormalVC shadowFootprint shadowFactors shadowI ";
+      " shadowDxVC shadowDyVC shadowPositionVC shadowNormalVC shadowFootprint shadowFactors shadowI ";
     for (const Text* text : { &this->Known, &this->Later })
     {
       for (const std::string& name : text->GetNames())
@@ -222,12 +228,12 @@ private:
     return false;
   }
 
-  ///@{ The shader's position and normal in VC.
-  std::string GetPosition() const
+  ///@{ A shader's position and normal in VC.
+  std::string GetPosition(const std::string& position) const
   {
-    return this->Content.Rigid ? this->Position + ".xyz"
-                               : "(shadowVTKToVC * " + this->Position + ".xyz)";
+    return this->Content.Rigid ? position + ".xyz" : "(shadowVTKToVC * " + position + ".xyz)";
   }
+  std::string GetPosition() const { return this->GetPosition(this->Position); }
   std::string GetNormal() const
   {
     return this->Content.Rigid ? "normalVCVSOutput"
@@ -271,6 +277,45 @@ private:
     }
   }
 
+  std::string GetTransformation() const
+  {
+    return this->Content.Rigid ? "" : "uniform mat3 shadowVTKToVC; // where VTK's is not rigid\n";
+  }
+
+  /** The tangent planes of corners, where VTK interpolates normals between them. */
+  void AddTerminator()
+  {
+    const Text vertex(this->Target.Vertex);
+    const std::string tangent = "shadowTangentVC";
+    const std::size_t end = vertex.GetMainEnd();
+    const bool hasGeometry = !this->Target.Geometry.empty();
+    // As a shader's input or output, before main.
+    const auto has = [](const Text& text, const char* type, const char* name)
+    {
+      const std::size_t begin = text.GetMainBegin();
+      return begin != Text::None &&
+        text.GetDeclaration(type, name, text.GetPlaceAfter(begin)) != Text::None;
+    };
+    this->Smooth = this->Content.Smooth && this->Positioned && !this->Imposter &&
+      has(this->Known, "vec3", "normalVCVSOutput") && has(vertex, "vec3", "normalVCVSOutput") &&
+      has(vertex, "vec4", "vertexVCVSOutput") &&
+      (!hasGeometry || this->Target.Geometry.find("//SHADOW::Normal::Impl") != Text::None);
+    if (!this->Smooth)
+    {
+      return;
+    }
+    Insertions inserted;
+    inserted.Add(vertex.GetMainHead(), this->GetTransformation() + vtkShadowTerminatorVS + "\n");
+    inserted.Add(end, "  " + tangent + "VSOutput = shadowTangent(" +
+        this->GetPosition("vertexVCVSOutput") + ", " + this->GetNormal() + ");\n");
+    inserted.Apply(this->Target.Vertex);
+    // VTK renames the fragment shader's input where there is a geometry shader.
+    vtkShaderProgram::Substitute(this->Target.Geometry, "//SHADOW::Normal::Dec",
+      "in vec4 " + tangent + "VSOutput[];\nout vec4 " + tangent + "GSOutput;");
+    vtkShaderProgram::Substitute(this->Target.Geometry, "//SHADOW::Normal::Impl",
+      tangent + "GSOutput = " + tangent + "VSOutput[i];");
+  }
+
   void AddVisibility()
   {
     if (!this->Positioned)
@@ -278,21 +323,23 @@ private:
       this->Inserted.Add(this->Place, this->Colors);
       return;
     }
-    this->Declarations = this->Content.Declarations +
-      (this->Content.Rigid ? "" : "uniform mat3 shadowVTKToVC; // where VTK's is not rigid\n");
+    this->Declarations = this->Content.Declarations + this->GetTransformation() +
+      (this->Smooth ? vtkShadowTerminatorFS : "");
     this->Inserted.Add(this->Flow, "  vec3 shadowDxVC = dFdx(" + this->GetPosition() +
         ");\n  vec3 shadowDyVC = dFdy(" + this->GetPosition() + ");\n");
     std::string body = this->Imposter
       ? "  vec3 shadowNormalVC = " + this->GetNormal() + ";\n"
       : "  vec3 shadowNormalVC = shadowGeometricNormal(shadowDxVC, shadowDyVC);\n";
+    body += "  vec3 shadowPositionVC = " + this->GetPosition() + ";\n";
+    body += this->Smooth ? "  shadowSmooth(shadowPositionVC, shadowNormalVC);\n" : "";
     if (this->Content.Shading)
     {
       body += "  float shadowFootprint = 4.0 * (length(shadowDxVC) + length(shadowDyVC));\n";
       body += "  SHADOW_VISIBILITY shadowFactors[SHADOW_LIGHTS];\n";
       const auto call = [this](const std::string& light)
       {
-        return "  shadowFactors[" + light + "] = shadowFactor(" + light + ", " +
-          this->GetPosition() + ", shadowNormalVC, shadowFootprint);\n";
+        return "  shadowFactors[" + light + "] = shadowFactor(" + light +
+          ", shadowPositionVC, shadowNormalVC, shadowFootprint);\n";
       };
       if (this->Content.Unrolled)
       {
@@ -347,8 +394,7 @@ private:
     this->Inserted.Add(place, "  if (shadowWritesReceivers)\n"
                               "  {\n"
                               "    gl_FragData[0] = " +
-        (this->Positioned ? "vec4(" + this->GetPosition() +
-              ", !shadowReceives ? 0.0 :\n"
+        (this->Positioned ? "vec4(shadowPositionVC, !shadowReceives ? 0.0 :\n"
               "      (shadowCasts ? 1.0 : -1.0) * shadowPackReceiver(shadowNormalVC == vec3(0.0) ? " +
               normal + " : shadowNormalVC))"
                           : "vec4(0.0)") +
@@ -380,7 +426,8 @@ private:
                 : "  gl_FragData[0] = vec4(0.0);\n");
   }
 
-  const std::string& Source;
+  const vtkShadowInjection::Shaders& Target;
+  const std::string Source; // the fragment shader as it was
   const Code& Content;
   const bool Catches;
   const Text Known; // what the source holds
@@ -393,6 +440,7 @@ private:
   bool Lit = false;        // main uses a light's colour
   bool Positioned = false; // and all that visibility needs is there
   bool Imposter = false;
+  bool Smooth = false; // its normals come from corners
   bool Marked = false; // VTK's lighting comes where it should
   std::size_t Flow = Text::None;
   std::size_t Place = Text::None;
@@ -401,13 +449,13 @@ private:
 
 //------------------------------------------------------------------------------
 std::string vtkShadowInjection::Fill(
-  std::string& source, const Code& code, bool catches, const std::string& later)
+  const Shaders& shaders, const Code& code, bool catches, const std::string& later)
 {
   if (code.Declarations.empty() && !catches)
   {
     return "";
   }
-  return Filling(source, code, catches, later).Fill(source);
+  return Filling(shaders, code, catches, later).Fill();
 }
 
 //------------------------------------------------------------------------------

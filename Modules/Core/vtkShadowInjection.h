@@ -8,8 +8,16 @@
 
 namespace vtkShadowInjection
 {
+/** A program's sources; the geometry shader's is empty where there is none. */
+struct Shaders
+{
+  std::string& Vertex;
+  std::string& Geometry;
+  std::string& Fragment;
+};
+
 /** Leave marks where the code goes, before the mapper replaces its own. */
-void Mark(std::string& fragmentShader);
+void Mark(const Shaders& shaders);
 
 /** What is injected. */
 struct Code
@@ -19,7 +27,8 @@ struct Code
   bool Receivers = false;                     // the shader can write receivers
   bool Shading = false;                       // the shader can multiply lights
   bool Unrolled = false;                      // each light's code is there for itself
-  bool Rigid = true; // VTK's view coordinates are VC: see vtkShadowFrame
+  bool Rigid = true;   // VTK's view coordinates are VC: see vtkShadowFrame
+  bool Smooth = false; // receivers rise to the surface that their normals stand for
 
   /** All parts of all casting lights. */
   std::size_t GetNumberOfLights() const;
@@ -35,7 +44,7 @@ struct Code
  * Gives what keeps a light's colour, or all, from being shadowed, as a clause; empty if nothing.
  */
 std::string Fill(
-  std::string& fragmentShader, const Code& code, bool catches, const std::string& later = "");
+  const Shaders& shaders, const Code& code, bool catches, const std::string& later = "");
 
 /** Whether a fragment shader that is all the user's can tell what it receives. */
 bool CanFill(const std::string& fragmentShader);

@@ -104,6 +104,11 @@ const std::vector<vtkShadowParameter>& vtkShadowPass::GetCommonParameters()
       "Where the alpha of a prop's own texture and colours (not its property's opacity) is below "
       "this, it has a hole that light passes; elsewhere it casts. 0: no holes",
       {} },
+    { "terminator", Type::Choice, "smooth", 0, 0, { "smooth", "facets" }, "",
+      "Whether the shadows on a prop that its normals shade smoothly are those of the smooth surface "
+      "that they stand for, or of its facets as they are, which cut the shading where it is coarse. "
+      "Facets for measuring",
+      {} },
   };
   return parameters;
 }

@@ -206,27 +206,27 @@ void vtkShadowPass::SetLightParameters(vtkShaderProgram* program)
 }
 
 //------------------------------------------------------------------------------
-bool vtkShadowPass::PreReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+bool vtkShadowPass::PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+  std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
 {
   if (vtkActor::SafeDownCast(prop))
   {
-    vtkShadowInjection::Mark(fragmentShader);
+    vtkShadowInjection::Mark({ vertexShader, geometryShader, fragmentShader });
   }
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkShadowPass::PostReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+bool vtkShadowPass::PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+  std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   if (!actor)
   {
     return true;
   }
-  const std::string problem = vtkShadowInjection::Fill(fragmentShader, this->Internal->Injected,
-    vtkShadowPass::GetShadowCatcher(prop), GetLaterReplacements(actor));
+  const std::string problem = vtkShadowInjection::Fill({ vertexShader, geometryShader, fragmentShader },
+    this->Internal->Injected, vtkShadowPass::GetShadowCatcher(prop), GetLaterReplacements(actor));
   if (!problem.empty())
   {
     std::ostringstream text;
@@ -248,6 +248,7 @@ void vtkShadowPass::UpdateInjection(bool writesReceivers)
   code.Receivers = writesReceivers || (my.Active && my.ScreenSpace);
   code.Shading = my.Active && (my.ScreenSpace || !writesReceivers);
   code.Rigid = my.Frame.Rigid || !my.Active;
+  code.Smooth = my.Active && this->GetText("terminator") == "smooth";
   if (code.Receivers || code.Shading)
   {
     const bool forward = code.Shading && !my.ScreenSpace;

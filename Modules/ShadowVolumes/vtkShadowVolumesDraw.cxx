@@ -7,7 +7,6 @@
 #include "vtkShadowVTKVersion.h"
 #include "vtkShadowVolumeCapVS.h"
 #include "vtkShadowVolumeCountFS.h"
-#include "vtkShadowVolumeDepthFS.h"
 #include "vtkShadowVolumeResolveFS.h"
 #include "vtkShadowVolumeSidesGS.h"
 #include "vtkShadowVolumeViewFS.h"
@@ -211,7 +210,8 @@ void vtkShadowVolumes::DrawVolumes(vtkShadowFrame& frame, const glm::dvec4& plac
 }
 
 //------------------------------------------------------------------------------
-bool vtkShadowVolumes::UpdateDepth(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer)
+bool vtkShadowVolumes::UpdateDepth(
+  vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, const std::string& shader)
 {
   if (!this->Depth.Allocate(frame.Window, vtkShadowTexture::Format::DepthStencil, buffer.GetWidth(),
         buffer.GetHeight(), 1))
@@ -226,13 +226,15 @@ bool vtkShadowVolumes::UpdateDepth(vtkShadowFrame& frame, vtkVisibilityBuffer& b
   state->vtkglDepthFunc(GL_ALWAYS);
   buffer.GetReceivers().Activate(frame.Window);
   const glm::vec4 depthRow(this->DepthRow);
-  const glm::vec4 wRow(this->WRow);
-  frame.Quad->Draw(frame.Window, vtkShadowVolumeDepthFS,
+  glm::mat4 VCToClip(frame.VCToClip);
+  const glm::vec4 eye(frame.GetEyeVC());
+  frame.Quad->Draw(frame.Window, shader,
     [&](vtkShaderProgram* program)
     {
       program->SetUniformi("shadowReceivers", buffer.GetReceivers().GetUnit());
       program->SetUniform4f("shadowDepthRow", glm::value_ptr(depthRow));
-      program->SetUniform4f("shadowWRow", glm::value_ptr(wRow));
+      program->SetUniform4f("shadowEyeVC", glm::value_ptr(eye));
+      program->SetUniformMatrix4x4("shadowVCToClip", glm::value_ptr(VCToClip));
     });
   buffer.GetReceivers().Deactivate(frame.Window);
   return true;

@@ -272,7 +272,8 @@ vtkActor* ShadowStage::AddThings()
 //------------------------------------------------------------------------------
 vtkShadowPass* ShadowStage::SetPass(const std::string& technique, const Parameters& parameters)
 {
-  Parameters all = { { "samples", "16" }, { "resolution", "256" } };
+  // Laws and closed forms are those of the geometry as it is.
+  Parameters all = { { "samples", "16" }, { "resolution", "256" }, { "terminator", "facets" } };
   for (const auto& parameter : parameters)
   {
     all[parameter.first] = parameter.second;

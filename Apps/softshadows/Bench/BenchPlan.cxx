@@ -239,6 +239,7 @@ vtkSmartPointer<vtkShadowPass> MakePass(const BenchCase& one, const BenchEntry& 
 {
   TechniqueOptions options;
   options.Settings = GetSettings(one, entry);
+  options.Measured = true;
   return options.Create(entry.Technique, false);
 }
 

@@ -1,7 +1,8 @@
 // Injected into each prop's fragment shader, before its lights.
 
 uniform bool shadowCasts; // this prop casts
-uniform float shadowUnit;    // about 1 / pixel footprint; negative under a mirroring camera
+uniform float shadowUnit; // about 1 / pixel footprint; negative under a mirroring camera
+uniform float shadowRoundingOfProp;
 
 // The geometric normal from the position's derivatives along the picture's x and y: it points to the
 // viewer by itself. Scaled, so that the lengths of small units do not underflow. The zero vector
@@ -73,8 +74,6 @@ uniform float shadowAttenuation[SHADOW_LIGHTS]; // 0 on a prop that does not rec
 
 // Of a loop over the lights, where it stays one.
 uniform int shadowLightCount;
-
-uniform float shadowRoundingOfProp;
 
 // The factor of a light's colour.
 SHADOW_VISIBILITY shadowFactor(int light, vec3 positionVC, vec3 normalVC, float footprint)

@@ -57,7 +57,8 @@ bool shadowFindKernel(int light, int view, vec3 positionVC, vec3 normalVC, out s
   vec3 windowX = SHADOW_VIEW(view, 4).xyz * form.w;
   vec3 windowY = SHADOW_VIEW(view, 5).xyz * form.w;
   vec3 placeVC = vec3(SHADOW_VIEW(view, 4).w, SHADOW_VIEW(view, 5).w, SHADOW_VIEW(view, 6).w);
-  vec4 receiverVC = shadowRaise(view, positionVC, normalVC);
+  float centre;
+  vec4 receiverVC = shadowRaise(view, positionVC, normalVC, centre);
   float w = dot(SHADOW_VIEW(view, 3), receiverVC);
 
   kernel.receiverLC = shadowProject(view, receiverVC);
@@ -68,7 +69,6 @@ bool shadowFindKernel(int light, int view, vec3 positionVC, vec3 normalVC, out s
   kernel.bounds = SHADOW_VIEW(view, 11);
   kernel.scale = vec2(measures.x, form.z);
 
-  vec3 towardsVC = kernel.positional ? placeVC - receiverVC.xyz : placeVC;
   // Where it is, not where it is moved to: faces of a cube must not disagree.
   vec3 awayVC = kernel.positional ? positionVC - placeVC : -placeVC;
   vec2 tangent = vec2(dot(windowX, awayVC), dot(windowY, awayVC)) /
@@ -86,7 +86,6 @@ bool shadowFindKernel(int light, int view, vec3 positionVC, vec3 normalVC, out s
   // The receiver's plane over the map. Its slope ends where the light's centre grazes it: the light's
   // points above the horizon then decide.
   vec2 planeLC = measures.x * vec2(dot(normalVC, windowX), dot(normalVC, windowY));
-  float centre = dot(normalVC, towardsVC);
   float height = max(centre, 1e-4 * kernel.w);
   float self = shadowSelf ? 1.0 : 0.0;
   kernel.slopeLC = self * planeLC / height;
@@ -96,9 +95,8 @@ bool shadowFindKernel(int light, int view, vec3 positionVC, vec3 normalVC, out s
   kernel.wobble = self * shadowNormalRounding * measures.x * max(measures.y, measures.z) / height *
     dot(normalVC, normalVC); // lines and points have none
   // The axes are seen along the receiver's direction: the tilt takes that back.
-  float above = dot(normalVC, kernel.positional ? placeVC - positionVC : placeVC);
-  kernel.horizon = shadowSelf ? vec3(above, dot(planeLC, kernel.axisULC) - kernel.tilt.x * above,
-    dot(planeLC, kernel.axisVLC) - kernel.tilt.y * above) : vec3(1.0, 0.0, 0.0);
+  kernel.horizon = shadowSelf ? vec3(centre, dot(planeLC, kernel.axisULC) - kernel.tilt.x * centre,
+    dot(planeLC, kernel.axisVLC) - kernel.tilt.y * centre) : vec3(1.0, 0.0, 0.0);
   kernel.horizonCuts = kernel.horizon.x < abs(kernel.horizon.y) + abs(kernel.horizon.z);
 
   bool inside = form.x < 0.5 || max(abs(tangent.x), abs(tangent.y)) <= 1.000001;

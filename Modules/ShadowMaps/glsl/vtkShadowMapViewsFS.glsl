@@ -41,11 +41,11 @@ vec3 shadowTowards(int view, vec3 positionVC)
 }
 
 // The receiver above its plane by what it may be off: towards the light, which leaves its place in the
-// map, or along the normal where that would be far.
-vec4 shadowRaise(int view, vec3 positionVC, vec3 normalVC)
+// map, or along the normal where that would be far. `height` is how far along the normal the light is.
+vec4 shadowRaise(int view, vec3 positionVC, vec3 normalVC, out float height)
 {
   vec3 towardsVC = shadowTowards(view, positionVC);
-  float height = dot(normalVC, towardsVC);
+  height = dot(normalVC, towardsVC);
   vec3 upVC = 16.0 * height > length(towardsVC) ? towardsVC / height : normalVC;
   return vec4(positionVC + shadowRounding(positionVC) * upVC, 1.0);
 }
@@ -82,11 +82,11 @@ float shadowBias(vec2 rise, vec2 uphill)
 // Where one look-up finds the receiver in the map, and the depth that it compares with.
 vec3 shadowPlaceReceiver(int view, vec3 positionVC, vec3 normalVC)
 {
-  vec4 receiverVC = shadowRaise(view, positionVC, normalVC);
-  vec3 receiverLC = shadowProject(view, receiverVC);
-  float height = max(dot(normalVC, shadowTowards(view, receiverVC.xyz)), 1e-30);
+  float height;
+  vec3 receiverLC = shadowProject(view, shadowRaise(view, positionVC, normalVC, height));
   vec2 rise =
-    vec2(dot(normalVC, SHADOW_VIEW(view, 4).xyz), dot(normalVC, SHADOW_VIEW(view, 5).xyz)) / height;
+    vec2(dot(normalVC, SHADOW_VIEW(view, 4).xyz), dot(normalVC, SHADOW_VIEW(view, 5).xyz)) /
+    max(height, 1e-30);
   vec2 uphill = shadowUphill(rise, receiverLC.xy);
   // Behind the far plane, all casters are in front.
   receiverLC.z = min(receiverLC.z - shadowBias(rise, uphill), 1.0);

@@ -106,6 +106,7 @@ inline int Test(int argc, char* argv[], const char* scene, const char* technique
   {
     return EXIT_FAILURE;
   }
+  pass->SetParameter("terminator", "facets"); // the geometry as it is
   for (const auto& parameter : parameters)
   {
     if (!pass->SetParameter(parameter.first, parameter.second))
