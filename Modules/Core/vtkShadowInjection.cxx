@@ -236,8 +236,11 @@ private:
   std::string GetPosition() const { return this->GetPosition(this->Position); }
   std::string GetNormal() const
   {
-    return this->Content.Rigid ? "normalVCVSOutput"
-                               : "normalize(normalVCVSOutput * inverse(shadowVTKToVC))";
+    return this->Content.Rigid ? "normalVCVSOutput" : "normalize(" + this->GetTangent() + ")";
+  }
+  std::string GetTangent() const
+  {
+    return this->Content.Rigid ? "normalVCVSOutput" : "(normalVCVSOutput * inverse(shadowVTKToVC))";
   }
   ///@}
 
@@ -286,7 +289,7 @@ private:
   void AddTerminator()
   {
     const Text vertex(this->Target.Vertex);
-    const std::string tangent = "shadowTangentVC";
+    const std::string tangent = "shadowTangent";
     const std::size_t end = vertex.GetMainEnd();
     const bool hasGeometry = !this->Target.Geometry.empty();
     // As a shader's input or output, before main.
@@ -306,12 +309,12 @@ private:
     }
     Insertions inserted;
     inserted.Add(vertex.GetMainHead(), this->GetTransformation() + vtkShadowTerminatorVS + "\n");
-    inserted.Add(end, "  " + tangent + "VSOutput = shadowTangent(" +
-        this->GetPosition("vertexVCVSOutput") + ", " + this->GetNormal() + ");\n");
+    inserted.Add(end, "  " + tangent + "VSOutput = vec2(dot(vertexVCVSOutput.xyz, normalVCVSOutput), length(" +
+        this->GetTangent() + "));\n");
     inserted.Apply(this->Target.Vertex);
     // VTK renames the fragment shader's input where there is a geometry shader.
     vtkShaderProgram::Substitute(this->Target.Geometry, "//SHADOW::Normal::Dec",
-      "in vec4 " + tangent + "VSOutput[];\nout vec4 " + tangent + "GSOutput;");
+      "in vec2 " + tangent + "VSOutput[];\nout vec2 " + tangent + "GSOutput;");
     vtkShaderProgram::Substitute(this->Target.Geometry, "//SHADOW::Normal::Impl",
       tangent + "GSOutput = " + tangent + "VSOutput[i];");
   }
@@ -324,14 +327,16 @@ private:
       return;
     }
     this->Declarations = this->Content.Declarations + this->GetTransformation() +
-      (this->Smooth ? vtkShadowTerminatorFS : "");
+      (this->Smooth ? vtkShadowTerminatorFS + ("vec3 shadowGetTangent() { return " + this->GetTangent() +
+                        "; } // before main names its own so\n")
+                    : "");
     this->Inserted.Add(this->Flow, "  vec3 shadowDxVC = dFdx(" + this->GetPosition() +
         ");\n  vec3 shadowDyVC = dFdy(" + this->GetPosition() + ");\n");
     std::string body = this->Imposter
       ? "  vec3 shadowNormalVC = " + this->GetNormal() + ";\n"
       : "  vec3 shadowNormalVC = shadowGeometricNormal(shadowDxVC, shadowDyVC);\n";
     body += "  vec3 shadowPositionVC = " + this->GetPosition() + ";\n";
-    body += this->Smooth ? "  shadowSmooth(shadowPositionVC, shadowNormalVC);\n" : "";
+    body += this->Smooth ? "  shadowSmooth(shadowGetTangent(), shadowPositionVC, shadowNormalVC);\n" : "";
     if (this->Content.Shading)
     {
       body += "  float shadowFootprint = 4.0 * (length(shadowDxVC) + length(shadowDyVC));\n";

@@ -52,6 +52,21 @@ std::string GetLaterReplacements(vtkActor* actor)
   return later;
 }
 
+/** Flat along an axis: its normals stand for nothing but itself. A shader is made anew with its data. */
+bool IsFlat(vtkAbstractMapper* mapper)
+{
+  auto* data = mapper && mapper->GetNumberOfInputConnections(0) > 0
+    ? vtkDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0))
+    : nullptr;
+  if (!data)
+  {
+    return false;
+  }
+  const double* bounds = data->GetBounds();
+  const glm::dvec3 size(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
+  return std::min({ size.x, size.y, size.z }) <= 1e-6 * std::max({ size.x, size.y, size.z });
+}
+
 /** Of a prop's rounding: the square of it, times two, is still a normal float. */
 constexpr int LeastExponent = -62;
 }
@@ -218,15 +233,18 @@ bool vtkShadowPass::PreReplaceShaderValues(std::string& vertexShader, std::strin
 
 //------------------------------------------------------------------------------
 bool vtkShadowPass::PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
-  std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+  std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   if (!actor)
   {
     return true;
   }
-  const std::string problem = vtkShadowInjection::Fill({ vertexShader, geometryShader, fragmentShader },
-    this->Internal->Injected, vtkShadowPass::GetShadowCatcher(prop), GetLaterReplacements(actor));
+  vtkShadowInjection::Code code = this->Internal->Injected;
+  code.Smooth = code.Smooth && !IsFlat(mapper);
+  const std::string problem =
+    vtkShadowInjection::Fill({ vertexShader, geometryShader, fragmentShader }, code,
+      vtkShadowPass::GetShadowCatcher(prop), GetLaterReplacements(actor));
   if (!problem.empty())
   {
     std::ostringstream text;
@@ -343,6 +361,11 @@ bool vtkShadowPass::SetShaderParameters(
   {
     glm::mat3 VTKToVC(my.Frame.VTKToVC);
     program->SetUniformMatrix3x3("shadowVTKToVC", glm::value_ptr(VTKToVC));
+  }
+  if (my.Injected.Smooth)
+  {
+    const glm::vec4 eye(my.Frame.GetEyeVC());
+    program->SetUniform4f("shadowEyeVC", glm::value_ptr(eye));
   }
   vtkCamera* camera = my.Renderer->GetActiveCamera();
   // Anything of the magnitude of a pixel at the focal point does.

@@ -72,7 +72,9 @@ private:
     Of taken{ keys, {} };
     for (int i = 0; i < count; ++i)
     {
-      taken.Passes.emplace_back(keys->Get(vtkOpenGLRenderPass::RenderPasses(), i));
+      taken.Passes.emplace_back(keys->Get(vtkOpenGLRenderPass::RenderPasses(), 0));
+      // One by one: removed all at once, VTK keeps a reference to each for ever.
+      keys->Remove(vtkOpenGLRenderPass::RenderPasses(), 0);
     }
     keys->Remove(vtkOpenGLRenderPass::RenderPasses());
     this->Taken.push_back(std::move(taken));

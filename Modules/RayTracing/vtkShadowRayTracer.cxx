@@ -373,11 +373,6 @@ void vtkShadowRayTracer::FindPositions(
       continue;
     }
     const auto [from, along] = getRay(receiver.Pixel);
-    const double beside = glm::length(glm::cross(receiver.Position - from, along));
-    if (beside > 2.0 * receiver.Height)
-    {
-      continue; // it rose from its facet: see vtkShadowTerminatorFS.glsl
-    }
     // Along the ray a surface that is seen at a slant is further off; not without end.
     const double slant = std::max(std::abs(glm::dot(receiver.Normal, along)), 1.0 / 64.0);
     const double reach = 4.0 * receiver.Height / slant;

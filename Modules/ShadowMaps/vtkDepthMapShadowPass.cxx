@@ -16,6 +16,9 @@
 
 namespace
 {
+/** Of one of many maps, whose errors are averaged. */
+constexpr int ResolutionOfMany = 512;
+
 /**
  * About a texel a pixel where casters fill the picture, and four along a side of the finest mesh's
  * triangles if it does: a rough surface's own shadows are as fine. In powers of two, so that a window
@@ -62,7 +65,7 @@ bool vtkDepthMapShadowPass::UpdateMaps(vtkShadowFrame& frame, int samples, doubl
   settings.Resolution = this->GetInteger("resolution");
   if (settings.Resolution == 0)
   {
-    settings.Resolution = FindResolution(frame);
+    settings.Resolution = samples == 1 || frame.Hard ? FindResolution(frame) : ResolutionOfMany;
   }
   settings.Resolution = std::max(vtkShadowMapParameters::LeastResolution, settings.Resolution);
   int largest = settings.Resolution;

@@ -60,7 +60,7 @@ vtkShadowTechnique Make(const char* name, const char* title, const char* classNa
     Support::Approximate, Support::Approximate, Support::Approximate };
   // Midpoints are nearer to the silhouettes, which make the penumbrae, than lit sides are, and looking
   // around finds less of the receiver itself.
-  t.Parameters = { AutomaticResolution(), Filter("bilinear"), Midpoint("on"), Skipping() };
+  t.Parameters = { Resolution(), Filter("bilinear"), Midpoint("on"), Skipping() };
   t.Resources = {
     "depth map, 4 bytes a texel, resolution^2 each light (up to six where the light is "
     "among the casters); its pyramid, about 3 bytes a texel where resolution is a "

@@ -25,7 +25,7 @@ vtkShadowTechniqueAutoInit(VTKSOFTSHADOWSSHADOWMAPS_EXPORT, vtkSoftShadowsShadow
     t.New = [] { return static_cast<vtkShadowPass*>(vtkHardShadowMapPass::New()); };
     t.LightShapes = { Support::Exact, Support::Approximate, Support::Approximate,
       Support::Approximate, Support::Exact, Support::Approximate };
-    t.Parameters = { AutomaticResolution(), Filter("bilinear"), Midpoint() };
+    t.Parameters = { Resolution(), Filter("bilinear"), Midpoint() };
     t.Resources = {
       "depth map, 4 bytes a texel, resolution^2 each light (up to six where the light "
       "is among the casters)"
@@ -51,7 +51,7 @@ vtkShadowTechniqueAutoInit(VTKSOFTSHADOWSSHADOWMAPS_EXPORT, vtkSoftShadowsShadow
     t.Parameters = {
       { "samples", Type::Integer, "64", 1, 1024, {}, "", "Samples of the light, a map each",
         { "16", "32", "64", "1024" } },
-      Resolution("512", { "256", "512", "512", "1024" }),
+      Resolution("; 512 where a light has a size", { "256", "512", "0", "1024" }),
       Filter("nearest"),
       Midpoint(),
       { "memory", Type::Integer, "512", 1, 65536, {}, "MiB",

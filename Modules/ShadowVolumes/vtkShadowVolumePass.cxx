@@ -6,7 +6,6 @@
 #include "vtkShaderProgram.h"
 #include "vtkShadowFrame.h"
 #include "vtkShadowVTKVersion.h"
-#include "vtkShadowVolumeDepthFS.h"
 #include "vtkShadowVolumeSurfaceFS.h"
 #include "vtkShadowVolumes.h"
 #include "vtkVisibilityBuffer.h"
@@ -60,14 +59,10 @@ void vtkShadowVolumePass::FillVisibility(vtkShadowFrame& frame, vtkVisibilityBuf
   const float start[] = { 1.0f, 1.0f, 1.0f, 1.0f };
   const float none[] = { 0.0f, 0.0f, 0.0f, 0.0f };
   std::string surface = vtkShadowVolumeSurfaceFS;
-  std::string depth = vtkShadowVolumeDepthFS;
-  for (std::string* source : { &surface, &depth })
-  {
-    vtkShaderProgram::Substitute(*source, "//SHADOW::Declarations", this->GetLightsGLSL());
-  }
+  vtkShaderProgram::Substitute(surface, "//SHADOW::Declarations", this->GetLightsGLSL());
   vtkOpenGLState* state = frame.Window->GetState();
   this->MostFaces = 0.0;
-  const bool counts = this->Volumes->UpdateDepth(frame, buffer, depth);
+  const bool counts = this->Volumes->UpdateDepth(frame, buffer);
   bool whole = true;
   for (int i = 0; i < static_cast<int>(frame.Lights.size()); ++i)
   {

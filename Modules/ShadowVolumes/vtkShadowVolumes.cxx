@@ -183,18 +183,18 @@ void vtkShadowVolumes::Update(vtkShadowFrame& frame, const vtkShadowVolumeSettin
   }
   // Depth falls from 1 at the near plane: near / distance, or evenly to the far plane. The near plane
   // is the projection's, which need not be that of the camera's clipping range.
-  const glm::dvec4 wRow = glm::row(frame.VCToClip, 3);
+  this->WRow = glm::row(frame.VCToClip, 3);
   double nearest = std::numeric_limits<double>::max();
   for (int i = 0; i < 4; ++i)
   {
     const glm::dvec4 corner(this->FrustumCorners[i], 1.0);
     nearest = std::min(nearest, glm::dot(glm::row(this->WCToClip, 3), corner));
   }
-  this->DepthRow = this->Parallel ? 0.5 * (wRow - glm::row(frame.VCToClip, 2))
+  this->DepthRow = this->Parallel ? 0.5 * (this->WRow - glm::row(frame.VCToClip, 2))
                                   : glm::dvec4(0.0, 0.0, 0.0, nearest);
   this->ClipControl = VTK_SHADOW_HAS_GL(ARB_clip_control) || VTK_SHADOW_HAS_GL(VERSION_4_5);
   const glm::dmat4 VCToDraw = glm::row(
-    frame.VCToClip, 2, this->ClipControl ? this->DepthRow : 2.0 * this->DepthRow - wRow);
+    frame.VCToClip, 2, this->ClipControl ? this->DepthRow : 2.0 * this->DepthRow - this->WRow);
   this->WCToDraw = VCToDraw * frame.GetWCToVC();
 }
 

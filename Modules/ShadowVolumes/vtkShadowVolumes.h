@@ -73,11 +73,8 @@ public:
     return this->Lights[light].Samples;
   }
 
-  /**
-   * Make the depth that volumes are counted over, by a fragment shader (vtkShadowVolumeDepthFS.glsl);
-   * before Subtract. False when out of memory.
-   */
-  bool UpdateDepth(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, const std::string& shader);
+  /** Make the depth that volumes are counted over; before Subtract. False when out of memory. */
+  bool UpdateDepth(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer);
   /**
    * Count the volumes of a light's place over the receivers' depth, and take the place's weight away
    * where the count is not zero, in a layer of the buffer's target. False where wide counts were
@@ -157,6 +154,7 @@ private:
   glm::dmat4 WCToClip{ 1.0 };
   glm::dmat4 WCToDraw{ 1.0 }; // to the clip coordinates that are drawn in, with a depth of our own
   glm::dvec4 DepthRow{ 0.0 }; // of the matrix from VC to them: depth x w
+  glm::dvec4 WRow{ 0.0 };
   bool ClipControl = false;               // their z runs from 0 to w
   std::vector<glm::dvec4> FrustumPlanes;  // inside is positive
   std::vector<glm::dvec3> FrustumCorners; // near ones first

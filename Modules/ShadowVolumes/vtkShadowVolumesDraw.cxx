@@ -7,6 +7,7 @@
 #include "vtkShadowVTKVersion.h"
 #include "vtkShadowVolumeCapVS.h"
 #include "vtkShadowVolumeCountFS.h"
+#include "vtkShadowVolumeDepthFS.h"
 #include "vtkShadowVolumeResolveFS.h"
 #include "vtkShadowVolumeSidesGS.h"
 #include "vtkShadowVolumeViewFS.h"
@@ -210,8 +211,7 @@ void vtkShadowVolumes::DrawVolumes(vtkShadowFrame& frame, const glm::dvec4& plac
 }
 
 //------------------------------------------------------------------------------
-bool vtkShadowVolumes::UpdateDepth(
-  vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, const std::string& shader)
+bool vtkShadowVolumes::UpdateDepth(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer)
 {
   if (!this->Depth.Allocate(frame.Window, vtkShadowTexture::Format::DepthStencil, buffer.GetWidth(),
         buffer.GetHeight(), 1))
@@ -226,15 +226,13 @@ bool vtkShadowVolumes::UpdateDepth(
   state->vtkglDepthFunc(GL_ALWAYS);
   buffer.GetReceivers().Activate(frame.Window);
   const glm::vec4 depthRow(this->DepthRow);
-  glm::mat4 VCToClip(frame.VCToClip);
-  const glm::vec4 eye(frame.GetEyeVC());
-  frame.Quad->Draw(frame.Window, shader,
+  const glm::vec4 wRow(this->WRow);
+  frame.Quad->Draw(frame.Window, vtkShadowVolumeDepthFS,
     [&](vtkShaderProgram* program)
     {
       program->SetUniformi("shadowReceivers", buffer.GetReceivers().GetUnit());
       program->SetUniform4f("shadowDepthRow", glm::value_ptr(depthRow));
-      program->SetUniform4f("shadowEyeVC", glm::value_ptr(eye));
-      program->SetUniformMatrix4x4("shadowVCToClip", glm::value_ptr(VCToClip));
+      program->SetUniform4f("shadowWRow", glm::value_ptr(wRow));
     });
   buffer.GetReceivers().Deactivate(frame.Window);
   return true;

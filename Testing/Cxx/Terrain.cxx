@@ -125,12 +125,8 @@ Visibility ShowHills(const std::string& technique, int side, double sun, Kind ki
     glm::dvec3(0.0));
   vtkAreaLight::SafeDownCast(light)->SetAngularDiameter(0.0);
   stage.LookAt({ 0.0, -9.0, 6.5 }, glm::dvec3(0.0), 40.0);
-  // As a user has it: no parameter is set. But map-soft's many maps are coarse by default.
+  // As a user has it: no parameter is set.
   stage.Pass = vtkSmartPointer<vtkShadowPass>::Take(vtkShadowTechniques::Create(technique));
-  if (technique == "map-soft")
-  {
-    stage.Pass->SetParameter("resolution", "0");
-  }
   stage.Renderer->SetPass(stage.Pass);
   stage.Render();
   return stage.GetVisibility();

@@ -95,13 +95,9 @@ class Closing(TestCase):
             ssao = vtkSSAOPass()
             ssao.SetDelegatePass(shadows)
             stage.renderer.SetPass(ssao)
-        def build(name):
-            # In screen space the pass, which holds nothing of the scene, may be left.
-            stage, things = self.build(name, wrap)
-            return stage, things[1:]
         for name in family_names():
             with self.subTest(technique=name):
-                self.check(build, name)
+                self.check(lambda name: self.build(name, wrap), name)
 
     def test_by_a_debug_view_an_assembly_a_catcher_and_a_textured_light(self):
         def build(name):

@@ -3,22 +3,29 @@
 // J. Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II, 2021, ch. 4, the receiver rises from
 // its facet by the mean height over it of its corners' tangent planes; here by as much of that as takes
 // it to the surface that the normals stand for. On a sphere the mean normal is cos(a) long, the mean
-// height r sin^2(a), and the sphere lies r (1 - cos(a)) over the facet.
+// height r sin^2(a), and the sphere lies r (1 - cos(a)) over the facet. It rises along its pixel's ray,
+// to what the pixel would show of that surface.
 
-in vec4 shadowTangentVCVSOutput;
+in vec2 shadowTangentVSOutput;
+uniform vec4 shadowEyeVC; // where lines of sight meet, w 1; or the direction to the viewer, w 0
 
-void shadowSmooth(inout vec3 positionVC, inout vec3 normalVC)
+// `tangentVC` is the normal as it was interpolated between the corners.
+void shadowSmooth(vec3 tangentVC, inout vec3 positionVC, inout vec3 normalVC)
 {
-  // To the side that is seen. Where the surface is hollow, facets stand in front of it: they stay.
-  float side = dot(shadowTangentVCVSOutput.xyz, normalVC) < 0.0 ? -1.0 : 1.0;
-  vec4 tangentVC = side * shadowTangentVCVSOutput;
-  float size = length(tangentVC.xyz);
   shadowPropRounding = shadowRoundingOfProp;
-  float rounding = 2.0 * shadowRounding(positionVC);
-  float height = tangentVC.w - dot(tangentVC.xyz, positionVC);
-  if (shadowCasts && height > -rounding && size > 0.0)
+  float unit = shadowTangentVSOutput.y;
+  float rounding = 2.0 * unit * shadowRounding(positionVC);
+  // To the side that is seen. Where the surface is hollow, facets stand in front of it: they stay.
+  float side = dot(tangentVC, normalVC) < 0.0 ? -1.0 : 1.0;
+  float height = side * (shadowTangentVSOutput.x - dot(tangentVC, positionVC));
+  if (shadowCasts && height > -rounding)
   {
-    normalVC = tangentVC.xyz / size;
-    positionVC += max(height - rounding, 0.0) / (1.0 + size) * normalVC;
+    float size2 = dot(tangentVC, tangentVC);
+    float scale = inversesqrt(size2);
+    normalVC = side * scale * tangentVC;
+    // At an outline not without end: the normal need not face the viewer.
+    vec3 upVC = shadowEyeVC.xyz - shadowEyeVC.w * positionVC;
+    float slant = max(dot(normalVC, upVC), 0.125 * abs(upVC.z));
+    positionVC += max(height - rounding, 0.0) / ((unit + scale * size2) * slant) * upVC;
   }
 }

@@ -58,10 +58,8 @@ bool shadowFindKernel(int light, int view, vec3 positionVC, vec3 normalVC, out s
   vec3 windowY = SHADOW_VIEW(view, 5).xyz * form.w;
   vec3 placeVC = vec3(SHADOW_VIEW(view, 4).w, SHADOW_VIEW(view, 5).w, SHADOW_VIEW(view, 6).w);
   float centre;
-  vec4 receiverVC = shadowRaise(view, positionVC, normalVC, centre);
-  float w = dot(SHADOW_VIEW(view, 3), receiverVC);
-
-  kernel.receiverLC = shadowProject(view, receiverVC);
+  kernel.receiverLC = shadowProjectReceiver(view, positionVC, normalVC, centre);
+  float w = dot(SHADOW_VIEW(view, 3), vec4(positionVC, 1.0));
   kernel.layer = float(view - shadowFirstLayer);
   kernel.w = max(w, 1e-30);
   kernel.positional = SHADOW_VIEW(view, 3).xyz != vec3(0.0);
@@ -72,7 +70,7 @@ bool shadowFindKernel(int light, int view, vec3 positionVC, vec3 normalVC, out s
   // Where it is, not where it is moved to: faces of a cube must not disagree.
   vec3 awayVC = kernel.positional ? positionVC - placeVC : -placeVC;
   vec2 tangent = vec2(dot(windowX, awayVC), dot(windowY, awayVC)) /
-    (measures.yz * max(dot(SHADOW_VIEW(view, 3), vec4(positionVC, 1.0)), 1e-30));
+    (measures.yz * max(w, 1e-30));
   vec4 along = SHADOW_VIEW(view, 10);
   float ray = sqrt(1.0 + dot(tangent, tangent));
   vec2 alongUV = form.y > 0.5 ? -along.z * tangent / ray : along.xy;
@@ -89,7 +87,7 @@ bool shadowFindKernel(int light, int view, vec3 positionVC, vec3 normalVC, out s
   float height = max(centre, 1e-4 * kernel.w);
   float self = shadowSelf ? 1.0 : 0.0;
   kernel.slopeLC = self * planeLC / height;
-  kernel.rise = planeLC / (SHADOW_MAP_SIDE * max(centre, 1e-30));
+  kernel.rise = planeLC / (SHADOW_MAP_SIDE * max(abs(centre), 1e-30));
   vec2 placeLC = kernel.receiverLC.xy;
   kernel.uphill = shadowUphill(kernel.rise, placeLC);
   kernel.wobble = self * shadowNormalRounding * measures.x * max(measures.y, measures.z) / height *

@@ -24,15 +24,6 @@ uniform int shadowFirstLayer; // the view that layer 0 holds
 #define SHADOW_VIEW(view, vector) texelFetch(shadowViews, SHADOW_VIEW_VECTORS * (view) + (vector))
 #endif
 
-// Its place in the map. Behind the light, w is negative: the quotient of a tiny one lies far outside
-// of the map. Maps have a clear border, so outside there is light.
-vec3 shadowProject(int view, vec4 receiverVC)
-{
-  float w = max(dot(SHADOW_VIEW(view, 3), receiverVC), 1e-30);
-  return vec3(dot(SHADOW_VIEW(view, 0), receiverVC), dot(SHADOW_VIEW(view, 1), receiverVC),
-    dot(SHADOW_VIEW(view, 2), receiverVC)) / w;
-}
-
 // To the place that the view looks from, or, for a directional light, its direction.
 vec3 shadowTowards(int view, vec3 positionVC)
 {
@@ -40,14 +31,23 @@ vec3 shadowTowards(int view, vec3 positionVC)
   return SHADOW_VIEW(view, 3).xyz == vec3(0.0) ? placeVC : placeVC - positionVC;
 }
 
-// The receiver above its plane by what it may be off: towards the light, which leaves its place in the
-// map, or along the normal where that would be far. `height` is how far along the normal the light is.
-vec4 shadowRaise(int view, vec3 positionVC, vec3 normalVC, out float height)
+// Where the map has the receiver, nearer to the light by as much as takes it above its plane by what its
+// position may be off: only its depth changes. Behind the light, w is negative: the quotient of a tiny
+// one lies far outside of the map. Maps have a clear border, so outside there is light. `height` is how
+// far along the normal the light is.
+vec3 shadowProjectReceiver(int view, vec3 positionVC, vec3 normalVC, out float height)
 {
-  vec3 towardsVC = shadowTowards(view, positionVC);
-  height = dot(normalVC, towardsVC);
-  vec3 upVC = 16.0 * height > length(towardsVC) ? towardsVC / height : normalVC;
-  return vec4(positionVC + shadowRounding(positionVC) * upVC, 1.0);
+  vec4 receiverVC = vec4(positionVC, 1.0);
+  vec4 depthRow = SHADOW_VIEW(view, 2);
+  vec3 placeVC = vec3(SHADOW_VIEW(view, 4).w, SHADOW_VIEW(view, 5).w, SHADOW_VIEW(view, 6).w);
+  float isPoint = SHADOW_VIEW(view, 3).xyz == vec3(0.0) ? 0.0 : 1.0;
+  height = dot(normalVC, placeVC - isPoint * positionVC);
+  float step = shadowRounding(positionVC) / max(abs(height), 1e-30);
+  float depth =
+    dot(depthRow, receiverVC) + step * (dot(depthRow.xyz, placeVC) + isPoint * depthRow.w);
+  float w = max(dot(SHADOW_VIEW(view, 3), receiverVC), 1e-30);
+  return vec3(
+    dot(SHADOW_VIEW(view, 0), receiverVC), dot(SHADOW_VIEW(view, 1), receiverVC), depth) / w;
 }
 
 // Bias without a knob: a plane's own samples in the texels that a look-up reads are nearer to the light
@@ -83,10 +83,10 @@ float shadowBias(vec2 rise, vec2 uphill)
 vec3 shadowPlaceReceiver(int view, vec3 positionVC, vec3 normalVC)
 {
   float height;
-  vec3 receiverLC = shadowProject(view, shadowRaise(view, positionVC, normalVC, height));
+  vec3 receiverLC = shadowProjectReceiver(view, positionVC, normalVC, height);
   vec2 rise =
     vec2(dot(normalVC, SHADOW_VIEW(view, 4).xyz), dot(normalVC, SHADOW_VIEW(view, 5).xyz)) /
-    max(height, 1e-30);
+    max(abs(height), 1e-30);
   vec2 uphill = shadowUphill(rise, receiverLC.xy);
   // Behind the far plane, all casters are in front.
   receiverLC.z = min(receiverLC.z - shadowBias(rise, uphill), 1.0);
