@@ -288,8 +288,7 @@ bool vtkLightFrusta::FindAxis(const glm::dvec3& position, const std::vector<int>
         return glm::dot(d, mean) > least * length * glm::length(d);
       });
   };
-  return length > 0.0 &&
-         std::all_of(this->GetCasters().begin(), this->GetCasters().end(), fits);
+  return length > 0.0 && std::all_of(this->GetCasters().begin(), this->GetCasters().end(), fits);
 }
 
 //------------------------------------------------------------------------------
@@ -410,7 +409,8 @@ std::vector<vtkLightView> vtkLightFrusta::GetPerspectiveViews(const Aim& aim, in
     glm::dmat4 rows;
     rows[0] = row((frame.X - centre.x * frame.Z) * (2.0 / size.x), 0.0);
     rows[1] = row((frame.Y - centre.y * frame.Z) * (2.0 / size.y), 0.0);
-    rows[2] = row(frame.Z * ((zFar + zNear) / (zFar - zNear)), -2.0 * zFar * zNear / (zFar - zNear));
+    rows[2] =
+      row(frame.Z * ((zFar + zNear) / (zFar - zNear)), -2.0 * zFar * zNear / (zFar - zNear));
     rows[3] = row(frame.Z, 0.0);
     view.WCToClip = glm::transpose(rows);
     view.Place = aim.Position;

@@ -2,6 +2,7 @@
 
 #include "vtkShadowCasters.h"
 #include "vtkShadowLight.h"
+#include "vtkShadowRoom.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -26,9 +27,6 @@ constexpr std::size_t MostBoxesInView = 262144;
 
 /** What sizes may differ by and still count as the same. */
 constexpr double Rounding = 1e-6;
-
-/** Groups get views of their own where the room between them is this share of both together. */
-constexpr double LeastRoom = 0.25;
 
 /**
  * Of each caster, what is nearer to the light than this share of its own depth may be clipped. With a
@@ -123,14 +121,6 @@ private:
   std::vector<Node> Nodes; // children behind their parents
 };
 
-/** The part of the two window axes with the most room in it: where it ends, as a share of all. */
-struct Room
-{
-  double Share = 0.0;
-  int Axis = 0;
-  double End = 0.0;
-};
-
 struct Item
 {
   Range Needed;
@@ -139,41 +129,14 @@ struct Item
   bool Plane;
 };
 
-/** Room that is wide enough, or none. Rounding does not choose between rooms of one size. */
-Room FindRoom(const std::vector<Item>& items, double least)
-{
-  Room found;
-  std::vector<std::pair<double, double>> ranges(items.size());
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    std::transform(items.begin(), items.end(), ranges.begin(),
-      [axis](const Item& item)
-      { return std::make_pair(item.Needed.Low[axis], item.Needed.High[axis]); });
-    std::sort(ranges.begin(), ranges.end());
-    double high = ranges.front().second;
-    double widest = 0.0;
-    double end = 0.0;
-    for (const auto& range : ranges)
-    {
-      if (range.first - high > (1.0 + Rounding) * widest)
-      {
-        widest = range.first - high;
-        end = range.first;
-      }
-      high = std::max(high, range.second);
-    }
-    const double share = widest / (high - ranges.front().first);
-    if (widest >= least && share > LeastRoom - Rounding && share > found.Share + Rounding)
-    {
-      found = { share, axis, end };
-    }
-  }
-  return found;
-}
-
 void AddGroups(std::vector<Item> items, double leastRoom, int most, std::vector<Group>& groups)
 {
-  const Room room = most > 1 ? FindRoom(items, leastRoom) : Room();
+  std::vector<vtkShadowRoom::Rectangle> windows;
+  for (const Item& item : items)
+  {
+    windows.emplace_back(item.Needed.Low, item.Needed.High);
+  }
+  const vtkShadowRoom room = most > 1 ? vtkShadowRoom::Find(windows, leastRoom) : vtkShadowRoom();
   if (room.Share > 0.0)
   {
     const auto middle = std::stable_partition(items.begin(), items.end(),
@@ -183,14 +146,15 @@ void AddGroups(std::vector<Item> items, double leastRoom, int most, std::vector<
     return;
   }
   groups.emplace_back();
-  const auto largest = std::find_if(items.begin(), items.end(), [](const Item& i) { return !i.Plane; });
+  const auto largest =
+    std::find_if(items.begin(), items.end(), [](const Item& i) { return !i.Plane; });
   groups.back().Anchor = (largest != items.end() ? *largest : items.front()).Needed;
   for (const auto& item : items)
   {
     groups.back().Needed.Add(item.Needed);
     groups.back().Whole.Add(item.Whole);
-    groups.back().Nearest = std::min(
-      groups.back().Nearest, std::max(item.Whole.Low.z, NearestShare * item.Whole.High.z));
+    groups.back().Nearest =
+      std::min(groups.back().Nearest, std::max(item.Whole.Low.z, NearestShare * item.Whole.High.z));
     groups.back().Casters.push_back(item.Caster);
   }
 }
@@ -271,8 +235,8 @@ bool vtkLightRegions::FindPlane(
   double highest = std::numeric_limits<double>::lowest();
   for (const auto& place : light.GetExtremes())
   {
-    const double distance = glm::dot(region.Normal,
-      light.IsDirectional() ? place : place - casters.GetOrigin() - region.Point);
+    const double distance = glm::dot(
+      region.Normal, light.IsDirectional() ? place : place - casters.GetOrigin() - region.Point);
     lowest = std::min(lowest, distance);
     highest = std::max(highest, distance);
   }
@@ -308,8 +272,7 @@ bool vtkLightRegions::IsShell(
       for (int k = 0; k < 3; ++k)
       {
         const float* position = &mesh.Positions[3 * mesh.Indices[i + k]];
-        v[k] = glm::dvec3(
-          caster.MeshToWC * glm::dvec4(position[0], position[1], position[2], 1.0));
+        v[k] = glm::dvec3(caster.MeshToWC * glm::dvec4(position[0], position[1], position[2], 1.0));
       }
       Region face;
       face.Point = v[0];

@@ -1,9 +1,10 @@
 // What of the casters a light's maps have to hold.
 //
 // A caster that is flat and has nothing behind it as the light sees it (a floor under everything) is
-// left out; one that has something behind it only in places is needed only there. So is a room or a
-// sky that holds the light and everything else. What a view has to show may lie in groups with a lot of room between them: each then is worth a view of its own, which
-// nothing that moves in another one touches.
+// left out, as is a room or a sky that holds the light and everything else; one that has something
+// behind it only in places is needed only there. What a view has to show may lie in groups with a lot of
+// room between them: each then is worth a view of its own, which nothing that moves in another one
+// touches.
 
 #ifndef vtkLightRegions_h
 #define vtkLightRegions_h
@@ -83,7 +84,8 @@ private:
   };
 
   bool IsShell(int index, const vtkShadowLight& light, const vtkShadowCasters& casters) const;
-  bool FindPlane(Region& region, const vtkShadowLight& light, const vtkShadowCasters& casters) const;
+  bool FindPlane(
+    Region& region, const vtkShadowLight& light, const vtkShadowCasters& casters) const;
 
   std::vector<Box> Boxes;      // the casters', then those of what only receives
   std::vector<Region> Regions; // the largest first

@@ -54,8 +54,8 @@ float GetAlpha(vtkUnsignedCharArray* colors, vtkIdType i)
 {
   const int components = colors->GetNumberOfComponents();
   return components % 2 == 0 && i < colors->GetNumberOfTuples()
-    ? static_cast<float>(colors->GetTypedComponent(i, components - 1)) / 255.0f
-    : 1.0f;
+           ? static_cast<float>(colors->GetTypedComponent(i, components - 1)) / 255.0f
+           : 1.0f;
 }
 
 /** The cells whose number, counted from the first one's, is to be kept. */
@@ -200,8 +200,7 @@ std::shared_ptr<vtkShadowAlphaMap> ReadTexture(vtkTexture* texture)
     {
       table = vtkSmartPointer<vtkLookupTable>::New();
     }
-    auto colors =
-      vtk::TakeSmartPointer(table->MapScalars(scalars, texture->GetColorMode(), -1));
+    auto colors = vtk::TakeSmartPointer(table->MapScalars(scalars, texture->GetColorMode(), -1));
     for (vtkIdType i = 0; i < count; ++i)
     {
       map->Texels.push_back(static_cast<unsigned char>(std::lround(255.0f * GetAlpha(colors, i))));
@@ -347,8 +346,8 @@ vtkSmartPointer<vtkPolyData> vtkShadowAlpha::Apply(
     {
       // One tuple of field data may stand for all.
       const vtkIdType single = mapper->GetScalarMode() == VTK_SCALAR_MODE_USE_FIELD_DATA
-        ? mapper->GetFieldDataTupleId()
-        : -1;
+                                 ? mapper->GetFieldDataTupleId()
+                                 : -1;
       const auto isKept = [&](vtkIdType cell)
       { return GetAlpha(mapped->GetColors(), single > -1 ? single : cell) >= threshold; };
       const vtkIdType first = polygons->GetNumberOfVerts() + polygons->GetNumberOfLines();
@@ -397,8 +396,7 @@ std::shared_ptr<const vtkShadowAlphaMap> vtkShadowAlpha::MakeMap(
 }
 
 //------------------------------------------------------------------------------
-std::vector<bool> vtkShadowAlpha::FindPoints(
-  vtkMapper* mapper, vtkDataSet* data, double threshold)
+std::vector<bool> vtkShadowAlpha::FindPoints(vtkMapper* mapper, vtkDataSet* data, double threshold)
 {
   std::vector<bool> points;
   if (FindColors(mapper, data).Colors)

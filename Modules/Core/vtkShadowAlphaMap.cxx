@@ -72,9 +72,8 @@ bool vtkShadowAlphaMap::IsBelow(float bound, const std::array<const float*, 3>& 
   std::int64_t last[2];
   for (int c = 0; c < 2; ++c)
   {
-    const auto range =
-      std::minmax({ ToTexels(corners[0][c], sizes[c]), ToTexels(corners[1][c], sizes[c]),
-        ToTexels(corners[2][c], sizes[c]) });
+    const auto range = std::minmax({ ToTexels(corners[0][c], sizes[c]),
+      ToTexels(corners[1][c], sizes[c]), ToTexels(corners[2][c], sizes[c]) });
     const double reach = this->Linear ? 0.5 : 0.0;
     first[c] = static_cast<std::int64_t>(std::floor(range.first - reach));
     last[c] = std::max(first[c], static_cast<std::int64_t>(std::ceil(range.second + reach)) - 1);
@@ -97,9 +96,9 @@ bool vtkShadowAlphaMap::IsBelow(float bound, const std::array<const float*, 3>& 
 //------------------------------------------------------------------------------
 bool vtkShadowAlphaMap::operator==(const vtkShadowAlphaMap& other) const
 {
-  return std::tie(this->Width, this->Height, this->Linear, this->Wrap, this->Border,
-           this->Texels) == std::tie(other.Width, other.Height, other.Linear, other.Wrap,
-                              other.Border, other.Texels);
+  return std::tie(
+           this->Width, this->Height, this->Linear, this->Wrap, this->Border, this->Texels) ==
+         std::tie(other.Width, other.Height, other.Linear, other.Wrap, other.Border, other.Texels);
 }
 
 //------------------------------------------------------------------------------

@@ -228,8 +228,8 @@ vtkShadowCasters::vtkShadowCasters()
 vtkShadowCasters::~vtkShadowCasters() = default;
 
 //------------------------------------------------------------------------------
-bool vtkShadowCasters::Update(vtkRenderer* renderer, vtkTranslucentCasters translucent, int levels,
-  double alphaThreshold)
+bool vtkShadowCasters::Update(
+  vtkRenderer* renderer, vtkTranslucentCasters translucent, int levels, double alphaThreshold)
 {
   this->UnknownAlphas = 0;
   vtkShadowMeshes known; // of this time; what is in it no more is forgotten
@@ -273,8 +273,9 @@ bool vtkShadowCasters::Update(vtkRenderer* renderer, vtkTranslucentCasters trans
       return;
     }
     const double* b = actor->GetMapper()->GetBounds();
-    if (b && b[0] <= b[1] && std::all_of(b, b + 6, [](double bound) { return std::isfinite(bound); }) &&
-      IsFinite(modelToWorld))
+    if (b && b[0] <= b[1] &&
+        std::all_of(b, b + 6, [](double bound) { return std::isfinite(bound); }) &&
+        IsFinite(modelToWorld))
     {
       receivers.push_back(BoxCorners({ b[0], b[2], b[4] }, { b[1], b[3], b[5] }));
       for (auto& corner : receivers.back())
@@ -463,8 +464,8 @@ vtkShaderProgram* vtkShadowCasters::Bind(vtkOpenGLRenderWindow* window,
     replace(vertexShader, vtkShadowHolesVS, "shadowPassPlace();");
     replace(fragmentShader, vtkShadowHolesFS, "shadowDiscardHole();");
   }
-  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(vertexShader.c_str(),
-    fragmentShader.c_str(), how.GeometryShader ? how.GeometryShader : "");
+  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
+    vertexShader.c_str(), fragmentShader.c_str(), how.GeometryShader ? how.GeometryShader : "");
   if (!program)
   {
     return nullptr; // the shader cache has reported why

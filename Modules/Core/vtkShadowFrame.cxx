@@ -17,7 +17,7 @@ bool vtkShadowFrame::SetCamera(const glm::dmat4& worldToVTK, const glm::dmat4& V
   const glm::dmat3 turn(worldToVTK);
   const double determinant = glm::determinant(turn);
   if (glm::row(worldToVTK, 3) != glm::dvec4(0.0, 0.0, 0.0, 1.0) || !std::isfinite(determinant) ||
-    determinant == 0.0 || !std::isfinite(glm::dot(worldToVTK[3], worldToVTK[3])))
+      determinant == 0.0 || !std::isfinite(glm::dot(worldToVTK[3], worldToVTK[3])))
   {
     return false;
   }

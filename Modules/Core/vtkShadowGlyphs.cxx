@@ -164,8 +164,7 @@ vtkSmartPointer<vtkPolyData> MakeSphereImposters(
   const double radius = mapper->GetRadius();
   const auto isThere = GetPresence(mapper, input, threshold);
   return MakeSpheres(input, GetAllPoints(input),
-    [=](vtkIdType i)
-    { return isThere(i) ? (scales ? scales->GetComponent(i, 0) : radius) : 0.0; });
+    [=](vtkIdType i) { return isThere(i) ? (scales ? scales->GetComponent(i, 0) : radius) : 0.0; });
 }
 
 //------------------------------------------------------------------------------

@@ -27,7 +27,7 @@ int GetSlot(const std::string& name)
 {
   const std::string number = name.substr(std::min(name.size(), LightColor.size()));
   const bool is = name.compare(0, LightColor.size(), LightColor) == 0 && !number.empty() &&
-    number.size() < 4 && number.find_first_not_of("0123456789") == std::string::npos;
+                  number.size() < 4 && number.find_first_not_of("0123456789") == std::string::npos;
   return is ? std::stoi(number) : -1;
 }
 
@@ -76,7 +76,8 @@ bool vtkShadowInjection::Code::operator==(const Code& other) const
 {
   return this->Declarations == other.Declarations && this->LightsOfSlot == other.LightsOfSlot &&
          this->Receivers == other.Receivers && this->Shading == other.Shading &&
-         this->Unrolled == other.Unrolled && this->Rigid == other.Rigid && this->Smooth == other.Smooth;
+         this->Unrolled == other.Unrolled && this->Rigid == other.Rigid &&
+         this->Smooth == other.Smooth;
 }
 
 //------------------------------------------------------------------------------
@@ -177,8 +178,8 @@ private:
     this->Flow = this->Known.IsInMain(this->Flow) ? std::max(this->Flow, known) : known;
     // Imposters move the position after its derivatives are taken; their own normal is exact.
     this->Imposter = this->Known.GetLast("gl_FragDepth") != Text::None &&
-      (this->Known.IsAssigned(this->Position, known) ||
-        this->Known.GetNames().count("ZCalcR") != 0);
+                     (this->Known.IsAssigned(this->Position, known) ||
+                       this->Known.GetNames().count("ZCalcR") != 0);
     std::size_t earliest = this->Flow;
     if (this->Imposter)
     {
@@ -206,8 +207,8 @@ private:
   /** The shader has a name of its own that the code needs, or a macro that would change it. */
   bool IsTaken()
   {
-    const std::string locals =
-      " shadowDxVC shadowDyVC shadowPositionVC shadowNormalVC shadowFootprint shadowFactors shadowI ";
+    const std::string locals = " shadowDxVC shadowDyVC shadowPositionVC shadowNormalVC "
+                               "shadowFootprint shadowFactors shadowI ";
     for (const Text* text : { &this->Known, &this->Later })
     {
       for (const std::string& name : text->GetNames())
@@ -215,10 +216,9 @@ private:
         const bool ours = name.compare(0, 6, "shadow") == 0 || name.compare(0, 7, "SHADOW_") == 0;
         const bool isNumbered = ours && std::isdigit(static_cast<unsigned char>(name.back())) != 0;
         const bool isMacro = text->IsMacro(name) && GetSlot(name) < 0;
-        if (isNumbered ||
-          ((ours || isMacro) &&
-            (HasWord(this->Content.Declarations, name) || HasWord(locals, name) ||
-              (this->Catches && HasWord(vtkShadowCatchFS, name)))))
+        if (isNumbered || ((ours || isMacro) &&
+                            (HasWord(this->Content.Declarations, name) || HasWord(locals, name) ||
+                              (this->Catches && HasWord(vtkShadowCatchFS, name)))))
         {
           this->Problem = "its name \"" + name + "\" is one that the shadows need";
           return true;
@@ -247,7 +247,7 @@ private:
   bool HasShadow(std::size_t slot) const
   {
     return this->Positioned && this->Content.Shading && slot < this->Content.LightsOfSlot.size() &&
-      !this->Content.LightsOfSlot[slot].empty();
+           !this->Content.LightsOfSlot[slot].empty();
   }
 
   /**
@@ -275,8 +275,8 @@ private:
         place, "vec3 " + color + " = " + name + ";\n#define " + name + " " + color + "\n");
       const std::string factor = this->HasShadow(slot) ? "shadowFactor" + number : "1.0";
       this->Colors += "  " + color +
-        (this->Catches ? " = shadowBrightness(" + color + ", vec3(" + factor + "));\n"
-                       : " *= " + factor + ";\n");
+                      (this->Catches ? " = shadowBrightness(" + color + ", vec3(" + factor + "));\n"
+                                     : " *= " + factor + ";\n");
     }
   }
 
@@ -297,9 +297,10 @@ private:
     {
       const std::size_t begin = text.GetMainBegin();
       return begin != Text::None &&
-        text.GetDeclaration(type, name, text.GetPlaceAfter(begin)) != Text::None;
+             text.GetDeclaration(type, name, text.GetPlaceAfter(begin)) != Text::None;
     };
-    this->Smooth = this->Content.Smooth && this->Positioned && !this->Imposter &&
+    this->Smooth =
+      this->Content.Smooth && this->Positioned && !this->Imposter &&
       has(this->Known, "vec3", "normalVCVSOutput") && has(vertex, "vec3", "normalVCVSOutput") &&
       has(vertex, "vec4", "vertexVCVSOutput") &&
       (!hasGeometry || this->Target.Geometry.find("//SHADOW::Normal::Impl") != Text::None);
@@ -309,8 +310,9 @@ private:
     }
     Insertions inserted;
     inserted.Add(vertex.GetMainHead(), this->GetTransformation() + vtkShadowTerminatorVS + "\n");
-    inserted.Add(end, "  " + tangent + "VSOutput = vec2(dot(vertexVCVSOutput.xyz, normalVCVSOutput), length(" +
-        this->GetTangent() + "));\n");
+    inserted.Add(end, "  " + tangent +
+                        "VSOutput = vec2(dot(vertexVCVSOutput.xyz, normalVCVSOutput), length(" +
+                        this->GetTangent() + "));\n");
     inserted.Apply(this->Target.Vertex);
     // VTK renames the fragment shader's input where there is a geometry shader.
     vtkShaderProgram::Substitute(this->Target.Geometry, "//SHADOW::Normal::Dec",
@@ -326,17 +328,21 @@ private:
       this->Inserted.Add(this->Place, this->Colors);
       return;
     }
-    this->Declarations = this->Content.Declarations + this->GetTransformation() +
-      (this->Smooth ? vtkShadowTerminatorFS + ("vec3 shadowGetTangent() { return " + this->GetTangent() +
-                        "; } // before main names its own so\n")
-                    : "");
+    this->Declarations =
+      this->Content.Declarations + this->GetTransformation() +
+      (this->Smooth
+          ? vtkShadowTerminatorFS + ("vec3 shadowGetTangent() { return " + this->GetTangent() +
+                                      "; } // before main names its own so\n")
+          : "");
     this->Inserted.Add(this->Flow, "  vec3 shadowDxVC = dFdx(" + this->GetPosition() +
-        ");\n  vec3 shadowDyVC = dFdy(" + this->GetPosition() + ");\n");
-    std::string body = this->Imposter
-      ? "  vec3 shadowNormalVC = " + this->GetNormal() + ";\n"
-      : "  vec3 shadowNormalVC = shadowGeometricNormal(shadowDxVC, shadowDyVC);\n";
+                                     ");\n  vec3 shadowDyVC = dFdy(" + this->GetPosition() +
+                                     ");\n");
+    std::string body =
+      this->Imposter ? "  vec3 shadowNormalVC = " + this->GetNormal() + ";\n"
+                     : "  vec3 shadowNormalVC = shadowGeometricNormal(shadowDxVC, shadowDyVC);\n";
     body += "  vec3 shadowPositionVC = " + this->GetPosition() + ";\n";
-    body += this->Smooth ? "  shadowSmooth(shadowGetTangent(), shadowPositionVC, shadowNormalVC);\n" : "";
+    body +=
+      this->Smooth ? "  shadowSmooth(shadowGetTangent(), shadowPositionVC, shadowNormalVC);\n" : "";
     if (this->Content.Shading)
     {
       body += "  float shadowFootprint = 4.0 * (length(shadowDxVC) + length(shadowDyVC));\n";
@@ -344,7 +350,7 @@ private:
       const auto call = [this](const std::string& light)
       {
         return "  shadowFactors[" + light + "] = shadowFactor(" + light +
-          ", shadowPositionVC, shadowNormalVC, shadowFootprint);\n";
+               ", shadowPositionVC, shadowNormalVC, shadowFootprint);\n";
       };
       if (this->Content.Unrolled)
       {
@@ -356,7 +362,7 @@ private:
       else
       {
         body += "  for (int shadowI = 0; shadowI < shadowLightCount; ++shadowI)\n  {\n  " +
-          call("shadowI") + "  }\n";
+                call("shadowI") + "  }\n";
       }
     }
     for (std::size_t slot = 0; slot < this->Content.LightsOfSlot.size(); ++slot)
@@ -391,21 +397,23 @@ private:
     // After all that discards. What comes before may return, where VTK's lighting is gone.
     const bool returns = this->Known.GetLast("return") != Text::None;
     const std::size_t place = this->Marked ? FindMark(this->Source, "//SHADOW::Impl")
-      : returns                            ? this->Place
+                              : returns    ? this->Place
                                            : this->Known.GetMainEnd();
     const bool hasNormal =
       this->Known.GetDeclaration("vec3", "normalVCVSOutput", place) != Text::None;
     const std::string normal = hasNormal ? this->GetNormal() : "vec3(0.0, 0.0, 1.0)";
-    this->Inserted.Add(place, "  if (shadowWritesReceivers)\n"
-                              "  {\n"
-                              "    gl_FragData[0] = " +
-        (this->Positioned ? "vec4(shadowPositionVC, !shadowReceives ? 0.0 :\n"
-              "      (shadowCasts ? 1.0 : -1.0) * shadowPackReceiver(shadowNormalVC == vec3(0.0) ? " +
-              normal + " : shadowNormalVC))"
-                          : "vec4(0.0)") +
-        ";\n"
-        "    return;\n"
-        "  }\n");
+    this->Inserted.Add(
+      place, "  if (shadowWritesReceivers)\n"
+             "  {\n"
+             "    gl_FragData[0] = " +
+               (this->Positioned ? "vec4(shadowPositionVC, !shadowReceives ? 0.0 :\n"
+                                   "      (shadowCasts ? 1.0 : -1.0) * "
+                                   "shadowPackReceiver(shadowNormalVC == vec3(0.0) ? " +
+                                     normal + " : shadowNormalVC))"
+                                 : "vec4(0.0)") +
+               ";\n"
+               "    return;\n"
+               "  }\n");
   }
 
   void AddCatching()
@@ -415,14 +423,14 @@ private:
       return;
     }
     this->Declarations += vtkShadowCatchFS;
-    const std::size_t place =
-      this->Marked ? FindMark(this->Source, "//SHADOW::Impl") : this->Place;
+    const std::size_t place = this->Marked ? FindMark(this->Source, "//SHADOW::Impl") : this->Place;
     for (const char* color : { "ambientColor", "diffuseColor", "specularColor" })
     {
       if (this->Known.GetDeclaration("vec3", color, place) != Text::None)
       {
-        this->Inserted.Add(place, std::string("  ") + color +
-            (color == std::string("diffuseColor") ? " = vec3(1.0);\n" : " = vec3(0.0);\n"));
+        this->Inserted.Add(
+          place, std::string("  ") + color +
+                   (color == std::string("diffuseColor") ? " = vec3(1.0);\n" : " = vec3(0.0);\n"));
       }
     }
     const std::size_t end = FindMark(this->Source, "//SHADOW::End");
@@ -467,7 +475,7 @@ std::string vtkShadowInjection::Fill(
 bool vtkShadowInjection::CanFill(const std::string& source)
 {
   return source.find("//VTK::Output::Dec") != std::string::npos &&
-    Text(source).GetMainBegin() != Text::None;
+         Text(source).GetMainBegin() != Text::None;
 }
 
 //------------------------------------------------------------------------------
@@ -475,7 +483,7 @@ std::string vtkShadowInjection::GetEvaluation(
   const std::string& preamble, const std::string& visibilityGLSL)
 {
   std::string source = vtkShadowEvaluateFS;
-  vtkShaderProgram::Substitute(
-    source, "//SHADOW::Declarations", preamble + vtkShadowLightsFS + vtkShadowReceiversFS + visibilityGLSL);
+  vtkShaderProgram::Substitute(source, "//SHADOW::Declarations",
+    preamble + vtkShadowLightsFS + vtkShadowReceiversFS + visibilityGLSL);
   return source;
 }

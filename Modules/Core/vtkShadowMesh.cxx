@@ -72,10 +72,9 @@ void FindPlane(vtkShadowMesh& mesh)
 class HoleFinder
 {
 public:
-  HoleFinder(
-    vtkPolyData* source, std::shared_ptr<const vtkShadowAlphaMap> map, float threshold)
-    : Places(vtkFloatArray::SafeDownCast(
-        source->GetPointData()->GetArray(vtkShadowAlpha::ArrayName)))
+  HoleFinder(vtkPolyData* source, std::shared_ptr<const vtkShadowAlphaMap> map, float threshold)
+    : Places(
+        vtkFloatArray::SafeDownCast(source->GetPointData()->GetArray(vtkShadowAlpha::ArrayName)))
     , Map(std::move(map))
     , Threshold(threshold)
   {

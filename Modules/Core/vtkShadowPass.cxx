@@ -310,7 +310,8 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
     VTKToClip = glm::make_mat4(vcdc->GetData());
   }
   if (!frame.SetCamera(
-        glm::transpose(glm::make_mat4(camera->GetModelViewTransformMatrix()->GetData())), VTKToClip))
+        glm::transpose(glm::make_mat4(camera->GetModelViewTransformMatrix()->GetData())),
+        VTKToClip))
   {
     this->WarnOnce("drawn without shadows: the camera's view transform flattens, is not finite, or "
                    "is not affine.");

@@ -109,7 +109,8 @@ vtkRenderPass* vtkShadowPassChain::Find(
 {
   vtkRenderPass* found = nullptr;
   std::set<vtkRenderPass*> visited;
-  Visit({ root, {} },
+  Visit(
+    { root, {} },
     [&](const Place& place)
     {
       found = isMeant(place.Held) ? place.Held : nullptr;
@@ -136,7 +137,8 @@ void vtkShadowPassChain::Replace(vtkRenderer* renderer, vtkRenderPass* pass, vtk
   vtkNew<vtkRenderStepsPass> steps;
   std::vector<Place> places; // all of them before any is changed
   std::set<vtkRenderPass*> visited{ pass, other };
-  Visit({ renderer->GetPass(), {} },
+  Visit(
+    { renderer->GetPass(), {} },
     [&](const Place& place)
     {
       if (place.Held == pass)

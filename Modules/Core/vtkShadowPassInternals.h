@@ -95,7 +95,8 @@ public:
   bool WritesReceivers = false; // what is drawn now fills the receivers' buffer
   int Size[2] = { 0, 0 };
   std::vector<vtkSmartPointer<vtkProp>> Props; // what survived culling, while it is drawn
-  std::vector<vtkSmartPointer<vtkInformation>> Marked; // keys of these and their parts: with the pass
+  std::vector<vtkSmartPointer<vtkInformation>>
+    Marked; // keys of these and their parts: with the pass
   std::set<vtkShaderProgram*> UpToDatePrograms;
   std::array<int, 4> Viewport{}; // that they were set for
   unsigned long Frames = 0;

@@ -100,9 +100,7 @@ vtkShadowPass* vtkShadowPass::FindCopy(vtkRenderer* renderer)
 {
   Internals& my = *this->Internal;
   const auto isDone = [this](const Internals::CopyOf& copy)
-  {
-    return !copy.Renderer || (!copy.Pass->Internal->Holding && !this->IsInChain(copy.Renderer));
-  };
+  { return !copy.Renderer || (!copy.Pass->Internal->Holding && !this->IsInChain(copy.Renderer)); };
   my.Copies.erase(std::remove_if(my.Copies.begin(), my.Copies.end(), isDone), my.Copies.end());
   auto copy = std::find_if(my.Copies.begin(), my.Copies.end(),
     [renderer](const Internals::CopyOf& of) { return of.Renderer == renderer; });

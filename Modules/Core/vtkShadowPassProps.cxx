@@ -51,7 +51,8 @@ vtkActor* GetShownLevel(vtkLODProp3D* levels)
 /** In a property's information: how many catchers' parts want Phong of it, which was PBR. */
 vtkInformationIntegerKey* MadePhongKey()
 {
-  static auto* key = vtkInformationIntegerKey::MakeKey("SHADOW_CATCHER_MADE_PHONG", "vtkShadowPass");
+  static auto* key =
+    vtkInformationIntegerKey::MakeKey("SHADOW_CATCHER_MADE_PHONG", "vtkShadowPass");
   return key;
 }
 

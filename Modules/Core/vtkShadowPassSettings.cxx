@@ -105,8 +105,10 @@ const std::vector<vtkShadowParameter>& vtkShadowPass::GetCommonParameters()
       "this, it has a hole that light passes; elsewhere it casts. 0: no holes",
       {} },
     { "terminator", Type::Choice, "smooth", 0, 0, { "smooth", "facets" }, "",
-      "Whether the shadows on a prop that its normals shade smoothly are those of the smooth surface "
-      "that they stand for, or of its facets as they are, which cut the shading where it is coarse. "
+      "Whether the shadows on a prop that its normals shade smoothly are those of the smooth "
+      "surface "
+      "that they stand for, or of its facets as they are, which cut the shading where it is "
+      "coarse. "
       "Facets for measuring",
       {} },
   };
@@ -362,8 +364,7 @@ void vtkShadowPass::CopySettings(vtkShadowPass* other)
   }
   const auto same = [](const auto& a, const auto& b)
   { return a.first == b.first && a.second.Text == b.second.Text; };
-  if (!std::equal(
-        my.Values.begin(), my.Values.end(), from.Values.begin(), from.Values.end(), same))
+  if (!std::equal(my.Values.begin(), my.Values.end(), from.Values.begin(), from.Values.end(), same))
   {
     my.Values = from.Values;
     my.Said.clear();

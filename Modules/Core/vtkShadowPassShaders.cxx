@@ -56,8 +56,8 @@ std::string GetLaterReplacements(vtkActor* actor)
 bool IsFlat(vtkAbstractMapper* mapper)
 {
   auto* data = mapper && mapper->GetNumberOfInputConnections(0) > 0
-    ? vtkDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0))
-    : nullptr;
+                 ? vtkDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0))
+                 : nullptr;
   if (!data)
   {
     return false;
@@ -136,12 +136,13 @@ void vtkShadowPass::Internals::SetToPixel(
       const glm::dvec4 to = glm::row(this->Frame.VCToClip, axis);
       const glm::dmat2 products(
         glm::dot(from, from), glm::dot(from, w), glm::dot(from, w), glm::dot(w, w));
-      const glm::dvec2 fit = glm::inverse(products) * glm::dvec2(glm::dot(to, from), glm::dot(to, w));
+      const glm::dvec2 fit =
+        glm::inverse(products) * glm::dvec2(glm::dot(to, from), glm::dot(to, w));
       const double size = 0.5 * this->Size[axis];
       const double scale = size * fit.x * 2.0 / viewport[2 + axis];
       scaleAndOffset[axis] = static_cast<float>(scale);
-      scaleAndOffset[2 + axis] = static_cast<float>(
-        size * (1.0 + fit.y - fit.x) - scale * viewport[axis]);
+      scaleAndOffset[2 + axis] =
+        static_cast<float>(size * (1.0 + fit.y - fit.x) - scale * viewport[axis]);
     }
   }
   program->SetUniform4f("shadowToPixel", glm::value_ptr(scaleAndOffset));
@@ -165,9 +166,8 @@ double vtkShadowPass::Internals::GetRounding(vtkAbstractMapper* mapper, vtkProp*
     bounds = data ? data->GetBounds() : whole->GetBounds();
   }
   const vtkShadowFrame& frame = this->Frame;
-  double rounding = frame.IsParallel()
-    ? 0.5 * this->Size[1] * glm::length(frame.GetPixelVC(1)) / 524288.0
-    : 0.0;
+  double rounding =
+    frame.IsParallel() ? 0.5 * this->Size[1] * glm::length(frame.GetPixelVC(1)) / 524288.0 : 0.0;
   if (bounds && bounds[0] <= bounds[1])
   {
     auto* glMapper = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
@@ -176,7 +176,7 @@ double vtkShadowPass::Internals::GetRounding(vtkAbstractMapper* mapper, vtkProp*
     const bool shifted = points && points->GetCoordShiftAndScaleEnabled();
     // VTK's view coordinates, before they are made rigid.
     const glm::dmat4 modelToVC = glm::dmat4(glm::inverse(frame.VTKToVC)) * frame.GetWorldToVC() *
-      glm::transpose(glm::make_mat4(actor->GetMatrix()->GetData()));
+                                 glm::transpose(glm::make_mat4(actor->GetMatrix()->GetData()));
     const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
     const glm::dvec3 high(bounds[1], bounds[3], bounds[5]);
     const glm::dvec3 middle = 0.5 * (low + high);
@@ -196,8 +196,8 @@ double vtkShadowPass::Internals::GetRounding(vtkAbstractMapper* mapper, vtkProp*
   }
   if (!frame.Rigid)
   {
-    rounding *= glm::length(frame.VTKToVC[0]) + glm::length(frame.VTKToVC[1]) +
-      glm::length(frame.VTKToVC[2]);
+    rounding *=
+      glm::length(frame.VTKToVC[0]) + glm::length(frame.VTKToVC[1]) + glm::length(frame.VTKToVC[2]);
   }
   // To a power of two, as the receivers' buffer keeps it; what is not finite bounds nothing.
   int exponent = LeastExponent;

@@ -134,8 +134,8 @@ Role GetRole(vtkProp* prop)
     {
       auto* actor = vtkActor::SafeDownCast(part);
       if (!actor || !actor->GetMapper() ||
-        (actor->GetShaderProperty()->HasFragmentShaderCode() &&
-          !vtkShadowInjection::CanFill(actor->GetShaderProperty()->GetFragmentShaderCode())))
+          (actor->GetShaderProperty()->HasFragmentShaderCode() &&
+            !vtkShadowInjection::CanFill(actor->GetShaderProperty()->GetFragmentShaderCode())))
       {
         return; // such as vtkCubeAxesActor, which draws by actors of its own
       }
@@ -379,7 +379,7 @@ vtkImageData* vtkShadowPass::GetVisibility(vtkLight* light)
   if (std::find(lights.begin(), lights.end(), light) == lights.end())
   {
     vtkErrorMacro("GetVisibility: the light is not in the renderer, which has "
-      << std::to_string(lights.size()) << ".");
+                  << std::to_string(lights.size()) << ".");
     return nullptr;
   }
   return this->MakeVisibility(light);
@@ -404,7 +404,8 @@ vtkImageData* vtkShadowPass::GetVisibility(int light)
   }
   if (light < 0 || light >= count)
   {
-    vtkErrorMacro("GetVisibility: there is no light "
+    vtkErrorMacro(
+      "GetVisibility: there is no light "
       << std::to_string(light) << ". "
       << (count == 0 ? "The renderer has none."
                      : "Those of the renderer are 0 to " + std::to_string(count - 1) + "."));

@@ -144,7 +144,7 @@ void vtkShadowShaderText::ReadFunctions()
   for (std::size_t open = 1; open < this->Tokens.size(); ++open)
   {
     if (this->Tokens[open].Text != "{" || this->Tokens[open].Depth != 0 ||
-      this->Tokens[open - 1].Text != ")")
+        this->Tokens[open - 1].Text != ")")
     {
       continue;
     }
@@ -198,7 +198,7 @@ std::size_t vtkShadowShaderText::FindToken(std::size_t position) const
 {
   return std::lower_bound(this->Tokens.begin(), this->Tokens.end(), position,
            [](const Token& token, std::size_t p) { return token.Begin < p; }) -
-    this->Tokens.begin();
+         this->Tokens.begin();
 }
 
 //------------------------------------------------------------------------------
@@ -218,8 +218,8 @@ bool vtkShadowShaderText::IsGlobal(std::size_t position) const
 {
   const std::size_t next = position == None ? this->Tokens.size() : this->FindToken(position);
   return next < this->Tokens.size() && this->Tokens[next].Depth == 0 &&
-    this->Tokens[next].Text != "}" && this->Tokens[next].Parentheses == 0 &&
-    this->GetCondition(position) == 0;
+         this->Tokens[next].Text != "}" && this->Tokens[next].Parentheses == 0 &&
+         this->GetCondition(position) == 0;
 }
 
 //------------------------------------------------------------------------------
@@ -231,7 +231,7 @@ bool vtkShadowShaderText::IsPlace(std::size_t token) const
   static const std::set<std::string> goesOn = { "else", "while", ";", ",", ")", "." };
   const bool ended = before.Text == ";" || before.Text == "}" || before.End == this->MainBegin;
   return ended && goesOn.count(next.Text) == 0 && this->IsInMain(before.End) &&
-    before.Condition == 0 && next.Condition == 0;
+         before.Condition == 0 && next.Condition == 0;
 }
 
 //------------------------------------------------------------------------------
@@ -315,8 +315,7 @@ std::set<std::string> vtkShadowShaderText::GetNamesFor(
   const std::function<bool(const std::string&)>& isMeant) const
 {
   std::set<std::string> names;
-  std::copy_if(
-    this->Names.begin(), this->Names.end(), std::inserter(names, names.end()), isMeant);
+  std::copy_if(this->Names.begin(), this->Names.end(), std::inserter(names, names.end()), isMeant);
   for (bool found = !names.empty(); found;)
   {
     found = false;
@@ -368,7 +367,7 @@ bool vtkShadowShaderText::IsAssigned(const std::string& name, std::size_t begin)
   {
     const std::size_t member = this->Tokens[i + 1].Text == "." ? 2 : 0;
     if (this->Tokens[i].Text == name && this->Tokens[i + member + 1].Text == "=" &&
-      this->Tokens[i + member + 2].Text != "=")
+        this->Tokens[i + member + 2].Text != "=")
     {
       return true;
     }

@@ -72,7 +72,7 @@ private:
   bool IsPlace(std::size_t token) const;
 
   std::vector<Token> Tokens;
-  std::map<std::size_t, int> Conditions; // how many #if are open from here on
+  std::map<std::size_t, int> Conditions;                  // how many #if are open from here on
   std::map<std::string, std::set<std::string>> Macros;    // what their bodies name
   std::map<std::string, std::set<std::string>> Functions; // but main
   std::set<std::string> Names;

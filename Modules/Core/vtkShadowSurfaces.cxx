@@ -126,8 +126,8 @@ void HandOn(vtkShadowSurface& surface, vtkMapper* mapper, vtkMatrix4x4* matrix, 
   }
   else
   {
-    surface.MakePolygons = [planes = surface.From.Details, make = std::move(make)](
-                             double threshold) { return Clip(make(threshold), planes); };
+    surface.MakePolygons = [planes = surface.From.Details, make = std::move(make)](double threshold)
+    { return Clip(make(threshold), planes); };
   }
   function(surface);
 }
@@ -202,8 +202,7 @@ void ForEachSurfaceOfActor(vtkActor* actor, vtkMatrix4x4* matrix, const Function
     {
       surface.From.Input = data;
       surface.Time = data->GetMTime();
-      HandOn(
-        surface, mapper, matrix,
+      HandOn(surface, mapper, matrix,
         AddAlpha(surface, actor, data,
           [data]
           {
@@ -268,8 +267,8 @@ void ForEachSurfaceOfSlice(vtkImageSlice* slice, const Function& function)
   auto* image = vtkImageData::SafeDownCast(mapper->GetInputDataObject(0, 0));
   vtkDataArray* scalars = image ? image->GetPointData()->GetScalars() : nullptr;
   vtkScalarsToColors* table = slice->GetProperty()->GetLookupTable();
-  surface.AlphaUnknown = scalars && (scalars->GetNumberOfComponents() % 2 == 0 ||
-                                      (table && !table->IsOpaque()));
+  surface.AlphaUnknown =
+    scalars && (scalars->GetNumberOfComponents() % 2 == 0 || (table && !table->IsOpaque()));
   surface.From.Input = image;
   surface.From.Mapper = mapper;
   surface.From.Details.assign(box.begin(), box.end()); // which is all that counts

@@ -37,7 +37,7 @@ struct vtkShadowSurface
     const void* Input = nullptr;
     const void* Mapper = nullptr;  // nullptr where it changes nothing
     const void* Texture = nullptr; // that has alpha
-    std::vector<double> Details;  // clipping planes, four coefficients each; a slice's box
+    std::vector<double> Details;   // clipping planes, four coefficients each; a slice's box
     bool operator<(const Origin& other) const
     {
       return std::tie(this->Input, this->Mapper, this->Texture, this->Details) <

@@ -1,6 +1,7 @@
 #include "vtkPlanarShadow.h"
 
 #include "vtkShadowCasters.h"
+#include "vtkShadowRoom.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
@@ -109,9 +110,7 @@ double vtkPlanarShadow::GetSpread(const glm::dvec4& place, double height) const
 //------------------------------------------------------------------------------
 void vtkPlanarShadow::Find(const vtkShadowCasters& casters, bool around)
 {
-  this->Casters.clear();
-  this->Window = {};
-  this->Spread = 0.0;
+  this->SetParts({});
   if (this->Samples.empty() || this->Plane.Receivers.IsEmpty())
   {
     return;
@@ -139,7 +138,7 @@ void vtkPlanarShadow::Find(const vtkShadowCasters& casters, bool around)
   turned.Normal *= this->Side;
   turned.Distance *= this->Side;
   const glm::dvec4 centre = this->GetPlace(this->Samples.front());
-  vtkPlaneRectangle all;
+  std::vector<Part> parts;
   for (std::size_t i = 0; i < casters.Get().size(); ++i)
   {
     const vtkShadowCaster& caster = casters.Get()[i];
@@ -201,21 +200,60 @@ void vtkPlanarShadow::Find(const vtkShadowCasters& casters, bool around)
     seen.Intersect(shadow);
     if (!seen.IsEmpty() && seen.High.x - seen.Low.x > least.x && seen.High.y - seen.Low.y > least.y)
     {
-      this->Casters.push_back(static_cast<int>(i));
-      this->Spread = std::max(this->Spread, spread);
-      all.Add(seen);
+      parts.push_back({ static_cast<int>(i), seen, spread });
     }
   }
-  if (this->Casters.empty())
+  this->SetParts(std::move(parts));
+}
+
+//------------------------------------------------------------------------------
+void vtkPlanarShadow::SetParts(std::vector<Part> parts)
+{
+  this->Parts = std::move(parts);
+  this->Casters.clear();
+  this->Window = {};
+  this->Spread = 0.0;
+  for (const Part& part : this->Parts)
   {
-    return;
+    this->Casters.push_back(part.Caster);
+    this->Window.Add(part.Window);
+    this->Spread = std::max(this->Spread, part.Spread);
   }
-  this->Window = all;
-  for (int axis = 0; axis < 2; ++axis)
+  for (int axis = 0; axis < 2 && !this->Parts.empty(); ++axis)
   {
     Snap(this->Window.Low[axis], this->Window.High[axis], this->Plane.Receivers.Low[axis],
       this->Plane.Receivers.High[axis]);
   }
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkPlanarShadow> vtkPlanarShadow::Divide(int most) const
+{
+  std::vector<vtkShadowRoom::Rectangle> windows;
+  for (const Part& part : this->Parts)
+  {
+    windows.emplace_back(part.Window.Low, part.Window.High);
+  }
+  const vtkShadowRoom room = most > 1 ? vtkShadowRoom::Find(windows, 0.0) : vtkShadowRoom();
+  if (room.Share <= 0.0)
+  {
+    return { *this };
+  }
+  std::vector<Part> parts = this->Parts;
+  const auto middle = std::stable_partition(parts.begin(), parts.end(),
+    [&room](const Part& part) { return part.Window.Low[room.Axis] < room.End; });
+  std::vector<vtkPlanarShadow> all;
+  for (const auto& side :
+    { std::vector<Part>(parts.begin(), middle), std::vector<Part>(middle, parts.end()) })
+  {
+    vtkPlanarShadow shadow = *this;
+    shadow.SetParts(side);
+    for (vtkPlanarShadow& part : shadow.Divide(most / 2))
+    {
+      all.push_back(std::move(part));
+    }
+  }
+  return all;
 }
 
 //------------------------------------------------------------------------------

@@ -35,6 +35,12 @@ struct VTKSOFTSHADOWSPLANARSHADOWS_EXPORT vtkPlanarShadow
   /** Find casters and window. `around`: as far as penumbrae of all of the light's size reach. */
   void Find(const vtkShadowCasters& casters, bool around);
 
+  /**
+   * This shadow, or up to `most`, a power of two, of casters whose shadows lie far apart: each then has
+   * a window of its own, which nothing that moves in another one touches.
+   */
+  std::vector<vtkPlanarShadow> Divide(int most) const;
+
   /** (Normal, -Distance), turned to the light's side. */
   glm::dvec4 GetEquation() const;
   /** A light's sample, homogeneous; and its height above the plane, a cosine for directions. */
@@ -54,6 +60,18 @@ struct VTKSOFTSHADOWSPLANARSHADOWS_EXPORT vtkPlanarShadow
 
   /** All that its image depends on but the casters' shapes. */
   bool Same(const vtkPlanarShadow& other) const;
+
+private:
+  /** What one caster darkens. */
+  struct Part
+  {
+    int Caster;
+    vtkPlaneRectangle Window;
+    double Spread;
+  };
+  void SetParts(std::vector<Part> parts);
+
+  std::vector<Part> Parts;
 };
 
 #endif

@@ -39,6 +39,9 @@ constexpr int MostReferences = 254;
 
 /** A layer's border that stays clear, in texels, for the interpolation of what lies outside. */
 constexpr double BorderTexels = 1.5;
+
+/** Of casters far apart on one plane: a power of two, each a layer and a look-up. */
+constexpr int MostGroups = 4;
 }
 
 //------------------------------------------------------------------------------
@@ -91,7 +94,7 @@ std::vector<vtkLightSample> vtkPlanarShadowMaps::GetSamples(
 void vtkPlanarShadowMaps::MakeEntries(vtkShadowFrame& frame, const vtkShadowPlanes& planes)
 {
   const vtkShadowCasters& casters = *frame.Casters;
-  std::vector<Entry> both; // by light, plane, side
+  std::vector<std::vector<Entry>> both; // by light, plane, side: those of groups of casters
   bool divided = false;
   for (const auto& light : frame.Lights)
   {
@@ -114,7 +117,13 @@ void vtkPlanarShadowMaps::MakeEntries(vtkShadowFrame& frame, const vtkShadowPlan
         }
         shadow.Find(casters, this->Current.Technique == Kind::Fake && !light.IsPoint());
         sides += shadow.Samples.empty() ? 0 : 1;
-        both.push_back(std::move(entry));
+        both.emplace_back();
+        // A mask of pixels has no window.
+        const int most = this->Current.Technique == Kind::Hard ? 1 : MostGroups;
+        for (vtkPlanarShadow& part : shadow.Divide(most))
+        {
+          both.back().push_back({ std::move(part) });
+        }
       }
       divided = divided || sides == 2;
     }
@@ -122,18 +131,31 @@ void vtkPlanarShadowMaps::MakeEntries(vtkShadowFrame& frame, const vtkShadowPlan
   std::vector<Entry> entries;
   this->Sides = divided ? 2 : 1;
   this->Layers = 0;
+  this->Groups = 1;
+  for (const auto& groups : both)
+  {
+    this->Groups = std::max(this->Groups, static_cast<int>(groups.size()));
+  }
   for (std::size_t i = 0; i < both.size(); i += 2)
   {
     for (std::size_t side = 0; side < (divided ? 2u : 1u); ++side)
     {
-      const bool other = !divided && both[i].Shadow.Samples.empty();
-      Entry& entry = both[i + (other ? 1 : side)];
-      entry.Layer = entry.Shadow.Casters.empty() ? -1 : this->Layers++;
-      const double border = BorderTexels / std::max(this->Current.Resolution - 3, 1);
-      const glm::dvec2 margin = border * (entry.Shadow.Window.High - entry.Shadow.Window.Low);
-      entry.Shadow.Window.Low -= margin;
-      entry.Shadow.Window.High += margin;
-      entries.push_back(std::move(entry));
+      const bool other = !divided && both[i].front().Shadow.Samples.empty();
+      std::vector<Entry>& groups = both[i + (other ? 1 : side)];
+      const vtkPlanarShadow& one = groups.front().Shadow;
+      Entry none{ { one.Light, one.Plane, one.Side } };
+      none.Shadow.Samples = one.Samples;
+      none.Shadow.Weight = one.Weight;
+      groups.resize(this->Groups, none);
+      for (Entry& entry : groups)
+      {
+        entry.Layer = entry.Shadow.Casters.empty() ? -1 : this->Layers++;
+        const double border = BorderTexels / std::max(this->Current.Resolution - 3, 1);
+        const glm::dvec2 margin = border * (entry.Shadow.Window.High - entry.Shadow.Window.Low);
+        entry.Shadow.Window.Low -= margin;
+        entry.Shadow.Window.High += margin;
+        entries.push_back(std::move(entry));
+      }
     }
   }
   // Layers that stay where they are and show the same are kept.
@@ -507,6 +529,7 @@ std::string vtkPlanarShadowMaps::GetGLSL() const
   const auto define = [](const char* name, std::size_t value)
   { return "#define " + std::string(name) + " " + std::to_string(value) + "\n"; };
   return define("SHADOW_PLANES", this->Planes.size()) + define("SHADOW_SIDES", this->Sides) +
+         define("SHADOW_GROUPS", this->Groups) +
          define("SHADOW_RECORD_VECTORS", this->GetRecordSize()) +
          define("SHADOW_KERNEL", this->Current.Kernel) + "#define SHADOW_CHANNELS " +
          (this->Color ? "rgb\n" : "rrr\n") +
@@ -549,7 +572,8 @@ void vtkPlanarShadowMaps::SetParameters(vtkShaderProgram* program)
 double vtkPlanarShadowMaps::GetMaximumCost() const
 {
   const double taps = std::pow(this->Current.Kernel, 2);
-  return this->Sides * (this->Current.Technique == Kind::Fake ? 1.0 + 2.0 * taps : 1.0);
+  return this->Sides * this->Groups *
+         (this->Current.Technique == Kind::Fake ? 1.0 + 2.0 * taps : 1.0);
 }
 
 //------------------------------------------------------------------------------

@@ -104,6 +104,7 @@ private:
   bool Made = false;
 
   int Sides = 1;              // 2 where a light reaches through a plane
+  int Groups = 1;             // the most of a plane's side
   std::vector<Entry> Entries; // by light, plane, side
   int Layers = 0;
   glm::dmat4 WCToClip{ 0.0 }; // of the camera, for hard

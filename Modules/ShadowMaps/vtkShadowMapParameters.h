@@ -15,11 +15,12 @@ namespace vtkShadowMapParameters
 constexpr int LeastResolution = 16;
 
 /** With what else its automatic choice depends on. */
-inline vtkShadowParameter Resolution(const std::string& more = "",
-  std::vector<std::string> presets = { "512", "1024", "0", "4096" })
+inline vtkShadowParameter Resolution(
+  const std::string& more = "", std::vector<std::string> presets = { "512", "1024", "0", "4096" })
 {
   return { "resolution", vtkShadowParameter::Type::Integer, "0", 0, 16384, {}, "texels",
-    "Side of a depth map, 16 at least (less counts as 16); 0: the power of two next to the picture's "
+    "Side of a depth map, 16 at least (less counts as 16); 0: the power of two next to the "
+    "picture's "
     "longer side, 1024 to 4096, and at least 2048 where a mesh has more than 65,536 triangles" +
       more,
     std::move(presets) };

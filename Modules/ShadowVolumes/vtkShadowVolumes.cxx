@@ -304,9 +304,9 @@ vtkShadowVolumes::Selection vtkShadowVolumes::Select(vtkShadowFrame& frame, int 
     else if (const bool inside = this->IsLookedInto(caster);
              inside || this->Current.Method == Counting::ZFail || MayReachInto(shading, caster))
     {
-      const vtkShadowCap cap = !inside                   ? vtkShadowCap::Away
+      const vtkShadowCap cap = !inside                  ? vtkShadowCap::Away
                                : MayHold(caster, place) ? vtkShadowCap::All
-                                                         : vtkShadowCap::Facing;
+                                                        : vtkShadowCap::Facing;
       selection.ZFail.push_back(part);
       if (cap == vtkShadowCap::All)
       {
@@ -358,9 +358,8 @@ bool vtkShadowVolumes::IsLookedInto(const vtkShadowCaster& caster) const
     if (actor->GetProperty()->GetBackfaceCulling() || actor->GetProperty()->GetFrontfaceCulling() ||
         (clipping && clipping->GetNumberOfItems() > 0) ||
         actor->HasTranslucentPolygonalGeometry() ||
-        actor->GetMapper()->IsA("vtkPointGaussianMapper") ||
-        caster.Mesh->Holes || caster.Mesh->Clear > 0 ||
-        caster.Mesh->NotFinite > 0) // VTK culls what has such bounds
+        actor->GetMapper()->IsA("vtkPointGaussianMapper") || caster.Mesh->Holes ||
+        caster.Mesh->Clear > 0 || caster.Mesh->NotFinite > 0) // VTK culls what has such bounds
     {
       return true;
     }

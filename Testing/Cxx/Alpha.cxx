@@ -247,9 +247,8 @@ const std::vector<Source>& GetSources()
         texture->SetLookupTable(table);
       } },
     { "texture, repeated by a transform", false,
-      [](double x, double y) {
-        return Decide(0.35 - std::hypot(x - (x < 0.0 ? -0.5 : 0.5), y - (y < 0.0 ? -0.5 : 0.5)));
-      },
+      [](double x, double y)
+      { return Decide(0.35 - std::hypot(x - (x < 0.0 ? -0.5 : 0.5), y - (y < 0.0 ? -0.5 : 0.5))); },
       [](Sheet& sheet)
       {
         vtkNew<vtkTransform> twice;
@@ -257,8 +256,7 @@ const std::vector<Source>& GetSources()
         sheet.SetTexture(MakeDisc())->SetTransform(twice);
       } },
     { "texture, clamped to its clear border", false,
-      [](double x, double y)
-      { return Decide(0.5 - std::max(std::abs(x), std::abs(y))); },
+      [](double x, double y) { return Decide(0.5 - std::max(std::abs(x), std::abs(y))); },
       [](Sheet& sheet)
       {
         vtkNew<vtkTransform> twice;
@@ -445,8 +443,7 @@ void CheckHoles(Sheet& sheet, const Source& source, const std::string& technique
     const Part part = source.IsThere(x, y);
     return filled && part == Hole ? Edge : part;
   };
-  ShadowTest::CheckAtMost(
-    sheet.GetWrong(expected, solid), 0.002, what + ": share of wrong pixels");
+  ShadowTest::CheckAtMost(sheet.GetWrong(expected, solid), 0.002, what + ": share of wrong pixels");
 }
 }
 
@@ -505,8 +502,7 @@ SHADOW_TEST(Alpha, ClearIsAsCutOut, Each)
     else
     {
       sheet.SetTexture(MakeImage(4,
-        [](double s, double t)
-        { return s > 0.5 && s < 0.75 && t > 0.5 && t < 0.75 ? 0 : 255; }));
+        [](double s, double t) { return s > 0.5 && s < 0.75 && t > 0.5 && t < 0.75 ? 0 : 255; }));
     }
     sheet.Start(technique);
     ShadowTest::TakeMessages(); // of volumes
@@ -604,15 +600,13 @@ SHADOW_TEST(Alpha, OnlyAlphaCounts, Each)
     bool Rebuilds;
     std::function<void(Sheet&)> Apply;
   };
-  const auto getColors = [](Sheet& sheet) {
-    return vtkUnsignedCharArray::SafeDownCast(sheet.GetMesh()->GetCellData()->GetScalars());
-  };
+  const auto getColors = [](Sheet& sheet)
+  { return vtkUnsignedCharArray::SafeDownCast(sheet.GetMesh()->GetCellData()->GetScalars()); };
   const std::vector<Edit> edits = {
     { "nothing", false, [](Sheet&) {} },
     { "another texture", true,
-      [](Sheet& sheet) {
-        sheet.SetTexture(MakeImage(4, [](double s, double) { return s < 0.5 ? 255 : 0; }));
-      } },
+      [](Sheet& sheet)
+      { sheet.SetTexture(MakeImage(4, [](double s, double) { return s < 0.5 ? 255 : 0; })); } },
     { "the image in place", true,
       [](Sheet& sheet)
       {
@@ -686,8 +680,7 @@ SHADOW_TEST(Alpha, OnlyAlphaCounts, Each)
     fresh.Start(technique);
     edit.Apply(fresh);
     fresh.Start(technique, { { "alpha-threshold", stage.Pass->GetParameter("alpha-threshold") } });
-    ShadowTest::Check(
-      Same(after, fresh.GetVisibility()), std::string(edit.Name) + ": V is stale");
+    ShadowTest::Check(Same(after, fresh.GetVisibility()), std::string(edit.Name) + ": V is stale");
     ShadowTest::TakeMessages(); // of volumes
   }
 }
@@ -699,8 +692,7 @@ SHADOW_TEST(Alpha, OpaqueColoursCostNothing, Each)
   Sheet sheet;
   sheet.Start(technique);
   const auto bytes = sheet.GetBytes();
-  vtkUnsignedCharArray* colors =
-    sheet.AddColors(sheet.GetMesh()->GetCellData(), Cells * Cells);
+  vtkUnsignedCharArray* colors = sheet.AddColors(sheet.GetMesh()->GetCellData(), Cells * Cells);
   sheet.SetTexture(MakeImage(4, [](double, double) { return 255; }));
   sheet.Render();
   ShadowTest::CheckEqual(

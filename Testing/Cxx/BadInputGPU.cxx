@@ -15,12 +15,19 @@ namespace
 int LargestTexture = 0; // 0: what the GPU says
 
 PFNGLTEXIMAGE3DPROC TexImage3D = nullptr;
+PFNGLTEXSTORAGE3DPROC TexStorage3D = nullptr;
 
 /** No memory for any array texture: GL is asked for one that cannot be. */
 void GLAPIENTRY FailTexImage3D(GLenum target, GLint level, GLint internal, GLsizei, GLsizei height,
   GLsizei depth, GLint border, GLenum format, GLenum type, const void* pixels)
 {
   TexImage3D(target, level, internal, -1, height, depth, border, format, type, pixels);
+}
+
+void GLAPIENTRY FailTexStorage3D(
+  GLenum target, GLsizei levels, GLenum internal, GLsizei, GLsizei height, GLsizei depth)
+{
+  TexStorage3D(target, levels, internal, -1, height, depth);
 }
 
 void Build(ShadowStage& stage, const std::string& technique)
@@ -107,6 +114,8 @@ SHADOW_TEST(BadInput, NoMemory, Each)
   const Picture plain = stage.GetPicture();
   TexImage3D = glTexImage3D;
   glTexImage3D = FailTexImage3D;
+  TexStorage3D = glTexStorage3D;
+  glTexStorage3D = FailTexStorage3D;
   stage.SetPass(technique, { { "evaluation", "screen" } });
   stage.Render();
   const Picture picture = stage.GetPicture();
@@ -127,6 +136,7 @@ SHADOW_TEST(BadInput, NoMemory, Each)
   stage.Pass->GetVisibility(0); // whatever it gives
   ShadowTest::TakeMessages();
   glTexImage3D = TexImage3D;
+  glTexStorage3D = TexStorage3D;
   stage.Render();
   ShadowTest::CheckNoMessage("with memory again");
   ShadowTest::CheckEqual(GetRange(stage.GetVisibility()).first, 0.0, "lowest V with memory again");

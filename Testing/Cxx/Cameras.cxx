@@ -261,7 +261,7 @@ SHADOW_TEST(Cameras, LargerPictures, Each)
     light->SetIntensity(1.0);
     effect->ReleaseGraphicsResources(stage.Window);
     ShadowTest::TakeMessages(); // VTK's own
-    effect = makeEffect(); // VTK's do not come back after a release
+    effect = makeEffect();      // VTK's do not come back after a release
     stage.Pass->SetDelegatePass(effect);
     stage.Renderer->SetPass(stage.Pass);
     stage.Render();

@@ -99,7 +99,8 @@ vtkSmartPointer<vtkPolyData> Horseshoe()
   }
   vtkNew<vtkCellArray> faces;
   // Convex pieces of the top, with all corners of the outline.
-  const std::vector<std::vector<vtkIdType>> tops = { { 0, 1, 4, 5 }, { 1, 2, 3, 4 }, { 0, 5, 6, 7 } };
+  const std::vector<std::vector<vtkIdType>> tops = { { 0, 1, 4, 5 }, { 1, 2, 3, 4 },
+    { 0, 5, 6, 7 } };
   for (auto face : tops)
   {
     faces->InsertNextCell({ face[0] + count, face[1] + count, face[2] + count, face[3] + count });
@@ -155,8 +156,8 @@ vtkSmartPointer<vtkPolyData> ThickRoom()
             vtkIdType face[4];
             for (int i = 0; i < 4; ++i)
             {
-              const glm::ivec3 c = a + (i == 1 || i == 2 ? 1 : 0) * (side ? v : u) +
-                                   (i >= 2 ? 1 : 0) * (side ? u : v);
+              const glm::ivec3 c =
+                a + (i == 1 || i == 2 ? 1 : 0) * (side ? v : u) + (i >= 2 ? 1 : 0) * (side ? u : v);
               face[side ? i : 3 - i] = point(c.x, c.y, c.z);
             }
             faces->InsertNextCell(4, face);
@@ -225,8 +226,8 @@ void CheckAgainstRays(ShadowStage& stage, const std::string& what, const std::ve
 {
   const auto see = [&](const char* name, const char* counting)
   {
-    stage.SetPass(
-      name, { { "samples", "1" }, { "counting", counting }, { "translucent-casters", "weighted" } });
+    stage.SetPass(name,
+      { { "samples", "1" }, { "counting", counting }, { "translucent-casters", "weighted" } });
     stage.Render();
     return stage.GetVisibility();
   };
@@ -460,8 +461,9 @@ SHADOW_TEST(Inside, CutOpen, Once)
         camera->SetClippingRange(0.85 * camera->GetDistance(), 3.0 * camera->GetDistance());
       }
       CheckAgainstRays(stage, std::string("a room ") + cut + ", " + lamp.Name,
-        lamp.Kind == Outside.Kind && lamp.Place == Outside.Place ? std::vector<float>{ 0.0f }
-                                                               : std::vector<float>{ 0.0f, 1.0f });
+        lamp.Kind == Outside.Kind && lamp.Place == Outside.Place
+          ? std::vector<float>{ 0.0f }
+          : std::vector<float>{ 0.0f, 1.0f });
     }
   }
 }

@@ -379,8 +379,8 @@ SHADOW_TEST(Lifetime, CatcherNoMore, Once)
     }
     return text;
   };
-  const auto check = [&describe](const std::vector<vtkActor*>& actors,
-                       const std::string& expected, const std::string& what)
+  const auto check = [&describe](const std::vector<vtkActor*>& actors, const std::string& expected,
+                       const std::string& what)
   {
     ShadowTest::Check(
       describe(actors) == expected, what + ": " + describe(actors) + "not " + expected);

@@ -251,8 +251,8 @@ SHADOW_TEST(Pyramid, LevelsHoldTheRange, Once)
       }
     }
     ShadowTest::CheckAtLeast(2 << (level - 1), side, what + "texels under the last level");
-    ShadowTest::CheckEqual(filter, level > 1 ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST,
-      what + "filter");
+    ShadowTest::CheckEqual(
+      filter, level > 1 ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST, what + "filter");
     ShadowTest::CheckEqual(wrong, 0.0, what + "wrong cells");
     glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
     pyramid.Release(window);

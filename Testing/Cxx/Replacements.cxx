@@ -60,8 +60,8 @@ const std::vector<Writing>& GetWritings()
       {
         Write(shader, "//VTK::Light::Dec",
           "//VTK::Light::Dec\nvec3 rim() { return 0.1 * lightColor0; }\n");
-        Write(shader, "//VTK::Light::Impl",
-          "//VTK::Light::Impl\n  gl_FragData[0].rgb += rim();\n", false);
+        Write(shader, "//VTK::Light::Impl", "//VTK::Light::Impl\n  gl_FragData[0].rgb += rim();\n",
+          false);
       } },
     { "in a function that another calls at the colour",
       [](vtkShaderProperty* shader)
@@ -146,8 +146,8 @@ const std::vector<Writing>& GetWritings()
     { "depth",
       [](vtkShaderProperty* shader)
       {
-        Write(shader, "//VTK::Depth::Impl",
-          "//VTK::Depth::Impl\n  gl_FragDepth = gl_FragCoord.z;\n");
+        Write(
+          shader, "//VTK::Depth::Impl", "//VTK::Depth::Impl\n  gl_FragDepth = gl_FragCoord.z;\n");
       } },
     { "comments and conditions",
       [](vtkShaderProperty* shader)
@@ -235,8 +235,9 @@ SHADOW_TEST(Replacements, AreDrawnTimesTheShadow, Each)
 {
   for (const char* name : { "instead of VTK's lighting", "at the colour", "in a function" })
   {
-    CheckDrawing(technique, *std::find_if(GetWritings().begin(), GetWritings().end(),
-                              [name](const Writing& writing) { return std::string(name) == writing.Name; }));
+    CheckDrawing(
+      technique, *std::find_if(GetWritings().begin(), GetWritings().end(),
+                   [name](const Writing& writing) { return std::string(name) == writing.Name; }));
   }
 }
 
@@ -285,14 +286,12 @@ SHADOW_TEST(Replacements, ThatCannotBeAreSaidOnce, Once)
         } },
       "shadowFactor" },
     { { "a macro in our names",
-        [](vtkShaderProperty* shader)
-        {
+        [](vtkShaderProperty* shader) {
           Write(shader, "//VTK::Light::Dec", "//VTK::Light::Dec\n#define normalVC vec3(0.0)\n");
         } },
       "normalVC" },
     { { "a macro in the light's name",
-        [](vtkShaderProperty* shader)
-        {
+        [](vtkShaderProperty* shader) {
           Write(shader, "//VTK::Light::Dec", "//VTK::Light::Dec\n#define lightColor0 vec3(0.7)\n");
         } },
       "lightColor0" },
@@ -321,8 +320,7 @@ SHADOW_TEST(Replacements, ThatCannotBeAreSaidOnce, Once)
     int worst = 0;
     for (std::size_t pixel = 0; pixel < mask.size(); ++pixel)
     {
-      worst =
-        std::max(worst, inner[pixel] && mask[pixel] ? picture.Difference(plain, pixel) : 0);
+      worst = std::max(worst, inner[pixel] && mask[pixel] ? picture.Difference(plain, pixel) : 0);
     }
     ShadowTest::CheckAtMost(worst, 0.0, what + ": difference from VTK's picture");
   }

@@ -84,8 +84,8 @@ Visibility Show(const std::string& technique, const Parameters& parameters = {})
 
 std::size_t CountPenumbra(const Visibility& visibility)
 {
-  return std::count_if(visibility.V.begin(), visibility.V.end(),
-    [](float v) { return v > 0.02f && v < 0.98f; });
+  return std::count_if(
+    visibility.V.begin(), visibility.V.end(), [](float v) { return v > 0.02f && v < 0.98f; });
 }
 
 /** A technique of the test's own. */

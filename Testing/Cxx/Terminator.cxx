@@ -1,8 +1,8 @@
 // `terminator`: on a prop that its normals shade, facets hide nothing of what those normals light; the
 // shadows of other things stay where they are; and what is flat stays as it is, bit by bit.
 
-#include "ShadowTest.h"
 #include "ShadowStage.h"
+#include "ShadowTest.h"
 
 #include "vtkCamera.h"
 #include "vtkCylinderSource.h"

@@ -1,9 +1,9 @@
 // Visibility on planes: finds the plane that the receiver lies in, and asks shadowLookUp for that
 // plane's shadow from a light. Anything else sees all of the light.
 //
-// shadowRecords: SHADOW_PLANES equations in VC; then SHADOW_RECORD_VECTORS for each light, plane and
-// side of it. Their first: what of the light's emission is on that side, and the layer that holds its
-// shadow, -1 where nothing falls onto the plane.
+// shadowRecords: SHADOW_PLANES equations in VC; then SHADOW_RECORD_VECTORS for each light, plane, side of
+// it, and group of casters. Their first: what of the light's emission is on that side, and the layer that
+// holds the shadow, -1 where nothing falls onto the plane.
 
 uniform sampler2DArray shadowPlanarMaps;
 #ifdef SHADOW_FEW_RECORDS
@@ -33,6 +33,22 @@ int shadowFindPlane(vec3 positionVC, vec3 normalVC)
   return found;
 }
 
+// Past all groups of casters on a side, whose first record is given. Their windows lie apart.
+SHADOW_VISIBILITY shadowLookUpSide(int first, vec3 positionVC)
+{
+  SHADOW_VISIBILITY visibility = SHADOW_VISIBILITY(1.0);
+  for (int group = 0; group < SHADOW_GROUPS; ++group)
+  {
+    int record = first + group * SHADOW_RECORD_VECTORS;
+    float layer = SHADOW_RECORD(record).w;
+    if (layer >= 0.0)
+    {
+      visibility = min(visibility, shadowLookUp(record, layer, positionVC));
+    }
+  }
+  return visibility;
+}
+
 SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionVC, vec3 normalVC)
 {
   SHADOW_VISIBILITY visibility = SHADOW_VISIBILITY(1.0);
@@ -41,24 +57,17 @@ SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionVC, vec3 normalVC)
   {
     // With one plane all indices are constant, which software rasterizers are glad of.
     plane = SHADOW_PLANES == 1 ? 0 : plane;
-    int first =
-      SHADOW_PLANES + (light * SHADOW_PLANES + plane) * SHADOW_SIDES * SHADOW_RECORD_VECTORS;
-    vec4 record = SHADOW_RECORD(first);
-    if (record.w >= 0.0)
-    {
-      visibility = shadowLookUp(first, record.w, positionVC);
-    }
+    const int side = SHADOW_GROUPS * SHADOW_RECORD_VECTORS;
+    int first = SHADOW_PLANES + (light * SHADOW_PLANES + plane) * SHADOW_SIDES * side;
+    visibility = shadowLookUpSide(first, positionVC);
 #if SHADOW_SIDES > 1
     // The light reaches through the plane: the receiver's own surface hides what is behind it.
     float facing = dot(SHADOW_RECORD(plane).xyz, normalVC);
-    vec4 below = SHADOW_RECORD(first + SHADOW_RECORD_VECTORS);
-    SHADOW_VISIBILITY belowVisibility = SHADOW_VISIBILITY(1.0);
-    if (below.w >= 0.0)
-    {
-      belowVisibility = shadowLookUp(first + SHADOW_RECORD_VECTORS, below.w, positionVC);
-    }
-    visibility = shadowSelf && facing < 0.0 ? 1.0 - SHADOW_VISIBILITY(record) : visibility;
-    belowVisibility = shadowSelf && facing >= 0.0 ? 1.0 - SHADOW_VISIBILITY(below) : belowVisibility;
+    SHADOW_VISIBILITY above = SHADOW_VISIBILITY(SHADOW_RECORD(first));
+    SHADOW_VISIBILITY below = SHADOW_VISIBILITY(SHADOW_RECORD(first + side));
+    SHADOW_VISIBILITY belowVisibility = shadowLookUpSide(first + side, positionVC);
+    visibility = shadowSelf && facing < 0.0 ? 1.0 - above : visibility;
+    belowVisibility = shadowSelf && facing >= 0.0 ? 1.0 - below : belowVisibility;
     visibility = max(visibility + belowVisibility - 1.0, 0.0);
 #endif
   }

@@ -694,8 +694,7 @@ void TestSteps()
       const double least = 2.0 / std::exp2(0.125) - 8.0 / Resolution;
       CHECK(high.x - low.x > least && high.y - low.y > least);
       // A fixed point in texels.
-      const glm::dvec4 clip =
-        view.WCToClip * glm::dvec4(scene.Casters.Get().at(0).Corners[0], 1.0);
+      const glm::dvec4 clip = view.WCToClip * glm::dvec4(scene.Casters.Get().at(0).Corners[0], 1.0);
       for (int axis = 0; axis < 2; ++axis)
       {
         const double side = glm::length(axis == 0 ? view.WindowX : view.WindowY);
@@ -741,8 +740,8 @@ void TestShell()
     for (const bool room : { false, true })
     {
       Scene scene;
-      vtkActor* shell = room ? scene.AddBox(glm::dvec3(0.0), 2.0 * size)
-                             : scene.AddSphere(glm::dvec3(0.0), size);
+      vtkActor* shell =
+        room ? scene.AddBox(glm::dvec3(0.0), 2.0 * size) : scene.AddSphere(glm::dvec3(0.0), size);
       build(scene);
       const vtkLightFrusta frusta = scene.GetFrusta();
       CHECK_EQUAL(frusta.GetCasters().size(), std::size_t(2)); // the floor shadows the shell
