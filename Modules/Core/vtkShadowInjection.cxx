@@ -285,6 +285,23 @@ private:
     return this->Content.Rigid ? "" : "uniform mat3 shadowVTKToVC; // where VTK's is not rigid\n";
   }
 
+  /** The user has a macro that would change this code, or a name like ours that it declares. */
+  bool HasNameOf(const std::string& code) const
+  {
+    for (const Text* text : { &this->Known, &this->Later })
+    {
+      for (const std::string& name : text->GetNames())
+      {
+        const bool meant = text->IsMacro(name) || name.compare(0, 6, "shadow") == 0;
+        if (meant && HasWord(code, name))
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
   /** The tangent planes of corners, where VTK interpolates normals between them. */
   void AddTerminator()
   {
@@ -303,7 +320,9 @@ private:
       this->Content.Smooth && this->Positioned && !this->Imposter &&
       has(this->Known, "vec3", "normalVCVSOutput") && has(vertex, "vec3", "normalVCVSOutput") &&
       has(vertex, "vec4", "vertexVCVSOutput") &&
-      (!hasGeometry || this->Target.Geometry.find("//SHADOW::Normal::Impl") != Text::None);
+      (!hasGeometry || (this->Target.Geometry.find("//SHADOW::Normal::Dec") != Text::None &&
+                         this->Target.Geometry.find("//SHADOW::Normal::Impl") != Text::None)) &&
+      !this->HasNameOf(std::string(vtkShadowTerminatorFS) + " shadowGetTangent ");
     if (!this->Smooth)
     {
       return;
@@ -328,12 +347,14 @@ private:
       this->Inserted.Add(this->Place, this->Colors);
       return;
     }
-    this->Declarations =
-      this->Content.Declarations + this->GetTransformation() +
-      (this->Smooth
-          ? vtkShadowTerminatorFS + ("vec3 shadowGetTangent() { return " + this->GetTangent() +
-                                      "; } // before main names its own so\n")
-          : "");
+    this->Declarations = this->Content.Declarations + this->GetTransformation() +
+                         (this->Smooth ? vtkShadowTerminatorFS : "");
+    if (this->Smooth)
+    {
+      // Here the name is still that of the shader's input: main has its own.
+      this->Inserted.Add(this->Known.GetMainHead(),
+        "vec3 shadowGetTangent() { return " + this->GetTangent() + "; }\n");
+    }
     this->Inserted.Add(this->Flow, "  vec3 shadowDxVC = dFdx(" + this->GetPosition() +
                                      ");\n  vec3 shadowDyVC = dFdy(" + this->GetPosition() +
                                      ");\n");

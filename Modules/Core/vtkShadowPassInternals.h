@@ -3,6 +3,7 @@
 #ifndef vtkShadowPassInternals_h
 #define vtkShadowPassInternals_h
 
+#include "vtkAbstractMapper.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
@@ -26,6 +27,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 /** Draws nothing; see Internals::CatcherMark. */
 class vtkShadowCatcherMark : public vtkOpenGLRenderPass
@@ -107,6 +109,8 @@ public:
   // What is injected; a change makes the mappers build their shaders anew.
   vtkShadowInjection::Code Injected;
   vtkTimeStamp StageTime;
+  /** Of shaders that were made for flat data. */
+  std::vector<vtkWeakPointer<vtkAbstractMapper>> FlatMappers;
 
   // Release when removed: see vtkShadowPassLifetime.cxx.
   vtkWeakPointer<vtkRenderer> Renderer;

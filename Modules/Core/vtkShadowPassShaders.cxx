@@ -52,7 +52,7 @@ std::string GetLaterReplacements(vtkActor* actor)
   return later;
 }
 
-/** Flat along an axis: its normals stand for nothing but itself. A shader is made anew with its data. */
+/** Flat along an axis: its normals stand for nothing but itself. */
 bool IsFlat(vtkAbstractMapper* mapper)
 {
   auto* data = mapper && mapper->GetNumberOfInputConnections(0) > 0
@@ -241,7 +241,15 @@ bool vtkShadowPass::PostReplaceShaderValues(std::string& vertexShader, std::stri
     return true;
   }
   vtkShadowInjection::Code code = this->Internal->Injected;
-  code.Smooth = code.Smooth && !IsFlat(mapper);
+  if (code.Smooth && IsFlat(mapper))
+  {
+    code.Smooth = false;
+    auto& flat = this->Internal->FlatMappers;
+    if (std::find(flat.begin(), flat.end(), mapper) == flat.end())
+    {
+      flat.emplace_back(mapper);
+    }
+  }
   const std::string problem =
     vtkShadowInjection::Fill({ vertexShader, geometryShader, fragmentShader }, code,
       vtkShadowPass::GetShadowCatcher(prop), GetLaterReplacements(actor));
@@ -262,6 +270,13 @@ void vtkShadowPass::UpdateInjection(bool writesReceivers)
   // space both halves serve every frame, and one shader holds them: changing it would make the
   // mappers build their sources anew each time.
   Internals& my = *this->Internal;
+  // VTK does not make a shader anew with its data.
+  const auto bends = [](vtkAbstractMapper* mapper) { return mapper && !IsFlat(mapper); };
+  if (std::any_of(my.FlatMappers.begin(), my.FlatMappers.end(), bends))
+  {
+    my.FlatMappers.clear();
+    my.StageTime.Modified();
+  }
   vtkShadowInjection::Code code;
   code.Receivers = writesReceivers || (my.Active && my.ScreenSpace);
   code.Shading = my.Active && (my.ScreenSpace || !writesReceivers);
@@ -292,6 +307,7 @@ void vtkShadowPass::UpdateInjection(bool writesReceivers)
   if (!(code == my.Injected))
   {
     my.Injected = std::move(code);
+    my.FlatMappers.clear();
     my.StageTime.Modified();
   }
 }

@@ -91,7 +91,8 @@ std::vector<vtkLightSample> vtkPlanarShadowMaps::GetSamples(
 }
 
 //------------------------------------------------------------------------------
-void vtkPlanarShadowMaps::MakeEntries(vtkShadowFrame& frame, const vtkShadowPlanes& planes)
+void vtkPlanarShadowMaps::MakeEntries(
+  vtkShadowFrame& frame, const vtkShadowPlanes& planes, int mostGroups)
 {
   const vtkShadowCasters& casters = *frame.Casters;
   std::vector<std::vector<Entry>> both; // by light, plane, side: those of groups of casters
@@ -119,7 +120,7 @@ void vtkPlanarShadowMaps::MakeEntries(vtkShadowFrame& frame, const vtkShadowPlan
         sides += shadow.Samples.empty() ? 0 : 1;
         both.emplace_back();
         // A mask of pixels has no window.
-        const int most = this->Current.Technique == Kind::Hard ? 1 : MostGroups;
+        const int most = this->Current.Technique == Kind::Hard ? 1 : mostGroups;
         for (vtkPlanarShadow& part : shadow.Divide(most))
         {
           both.back().push_back({ std::move(part) });
@@ -274,12 +275,21 @@ bool vtkPlanarShadowMaps::Update(vtkShadowFrame& frame, const vtkShadowPlanes& p
   this->Current = settings;
   if (planesChanged || this->IsStale(frame))
   {
-    this->MakeEntries(frame, planes);
+    this->MakeEntries(frame, planes, MostGroups);
     this->VCToWC = glm::dmat4(0.0);
   }
   if (!this->Allocate(frame))
   {
-    return false;
+    // What there is no room for in groups may fit as a whole.
+    if (this->Groups == 1)
+    {
+      return false;
+    }
+    this->MakeEntries(frame, planes, 1);
+    if (!this->Allocate(frame))
+    {
+      return false;
+    }
   }
   if (settings.Technique == Kind::Hard)
   {

@@ -82,7 +82,7 @@ private:
   };
 
   bool IsStale(const vtkShadowFrame& frame) const;
-  void MakeEntries(vtkShadowFrame& frame, const vtkShadowPlanes& planes);
+  void MakeEntries(vtkShadowFrame& frame, const vtkShadowPlanes& planes, int mostGroups);
   std::vector<vtkLightSample> GetSamples(const vtkShadowLight& light, const vtkShadowPlane& plane,
     const vtkShadowCasters& casters) const;
   bool Allocate(vtkShadowFrame& frame);

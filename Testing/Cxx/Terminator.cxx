@@ -152,6 +152,104 @@ SHADOW_TEST(Terminator, HidesNothingOfWhatBulges, Each)
 }
 
 //------------------------------------------------------------------------------
+// What was flat when its shader was made, and is bent in place, is smooth from then on.
+SHADOW_TEST(Terminator, FollowsItsData, Each)
+{
+  if (!HasCurvedReceivers(technique))
+  {
+    return;
+  }
+  const auto draw = [&](bool later)
+  {
+    ShadowStage stage(240, 240);
+    const vtkSmartPointer<vtkPolyData> ball = MakeBall(Coarse);
+    vtkNew<vtkPolyDataMapper> mapper;
+    vtkNew<vtkPoints> flat;
+    flat->DeepCopy(ball->GetPoints());
+    for (vtkIdType i = 0; i < flat->GetNumberOfPoints(); ++i)
+    {
+      glm::dvec3 p;
+      flat->GetPoint(i, &p.x);
+      flat->SetPoint(i, p.x, 0.0, p.z);
+    }
+    vtkNew<vtkPolyData> shown;
+    shown->ShallowCopy(ball);
+    mapper->SetInputData(shown);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    stage.Renderer->AddActor(actor);
+    stage.LookAt({ 0.0, -6.0, 0.0 }, glm::dvec3(0.0), 28.0);
+    stage.AddLight(LightKind::Directional, { 8.0, -2.0, 1.6 }, glm::dvec3(0.0));
+    stage.SetPass(technique, Fine);
+    if (later)
+    {
+      shown->SetPoints(flat);
+      stage.Render();
+      ball->GetPoints()->Modified(); // or VTK keeps the bounds
+      shown->SetPoints(ball->GetPoints());
+    }
+    stage.Render();
+    return stage.GetVisibility();
+  };
+  const Difference difference = Compare(draw(true), draw(false), 0.0);
+  ShadowTest::CheckAtMost(
+    difference.Share, 0.002, "pixels unlike those of what was bent from the first");
+}
+
+//------------------------------------------------------------------------------
+// Points and lines have normals, but no facets: they receive what falls onto them.
+SHADOW_TEST(Terminator, PointsAndLinesReceive, Each)
+{
+  if (!HasCurvedReceivers(technique))
+  {
+    return;
+  }
+  for (const char* evaluation : { "forward", "screen" })
+  {
+    for (const bool lines : { false, true })
+    {
+      ShadowStage stage;
+      stage.Renderer->SetBackground(0.0, 0.0, 0.0);
+      vtkActor* ball = stage.Add(MakeBall(32));
+      ball->SetPosition(0.0, 0.0, -1.0);
+      if (lines)
+      {
+        ball->GetProperty()->SetRepresentationToWireframe();
+      }
+      else
+      {
+        ball->GetProperty()->SetRepresentationToPoints();
+        ball->GetProperty()->SetPointSize(3.0);
+      }
+      vtkShadowPass::SetCasting(ball, false);
+      stage.AddQuad({ -2.0, -2.0, 1.0 }, { 2.0, 0.0, 0.0 }, { 0.0, 4.0, 0.0 });
+      ShadowStage::Shrink(
+        stage.AddLight(LightKind::Directional, { 0.0, 0.0, 4.0 }, glm::dvec3(0.0)), 0.0);
+      stage.LookAt({ 4.0, -0.5, 2.5 }, { 0.0, 0.0, -0.5 }, 30.0);
+      stage.Render();
+      const Picture plain = stage.GetPicture();
+      Parameters parameters = Fine;
+      parameters["evaluation"] = evaluation;
+      stage.SetPass(technique, parameters);
+      stage.Render();
+      ShadowTest::TakeMessages(); // an evaluation may not be had
+      const Picture shaded = stage.GetPicture();
+      std::size_t dark = 0;
+      std::size_t same = 0;
+      for (std::size_t i = 0; i < plain.RGB.size() / 3; ++i)
+      {
+        const bool lit = plain.RGB[3 * i] > 60;
+        dark += lit && 2 * shaded.RGB[3 * i] < plain.RGB[3 * i] ? 1 : 0;
+        same += lit && plain.Difference(shaded, i) <= 2 ? 1 : 0;
+      }
+      const std::string what = std::string(evaluation) + (lines ? ", lines: " : ", points: ");
+      ShadowTest::CheckAtLeast(static_cast<double>(dark), 100.0, what + "pixels in the shadow");
+      ShadowTest::CheckAtLeast(static_cast<double>(same), 100.0, what + "pixels in the light");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // Both evaluations see the same surface.
 SHADOW_TEST(Terminator, IsTheSameInBothEvaluations, Each)
 {

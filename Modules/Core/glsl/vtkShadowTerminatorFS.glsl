@@ -16,16 +16,20 @@ void shadowSmooth(vec3 tangentVC, inout vec3 positionVC, inout vec3 normalVC)
   float unit = shadowTangentVSOutput.y;
   float rounding = 2.0 * unit * shadowRounding(positionVC);
   // To the side that is seen. Where the surface is hollow, facets stand in front of it: they stay.
-  float side = dot(tangentVC, normalVC) < 0.0 ? -1.0 : 1.0;
+  float along = dot(tangentVC, normalVC); // 0 of lines and points
+  float side = along < 0.0 ? -1.0 : 1.0;
   float height = side * (shadowTangentVSOutput.x - dot(tangentVC, positionVC));
-  if (shadowCasts && height > -rounding)
+  // Corners' normals that lie 45 degrees off and more stand for an edge, not for a curve.
+  float curved = smoothstep(0.7 * unit, 0.85 * unit, abs(along));
+  if (shadowCasts && height > -rounding && curved > 0.0)
   {
     float size2 = dot(tangentVC, tangentVC);
     float scale = inversesqrt(size2);
-    normalVC = side * scale * tangentVC;
+    normalVC = normalize(mix(normalVC, side * scale * tangentVC, curved));
     // At an outline not without end: the normal need not face the viewer.
     vec3 upVC = shadowEyeVC.xyz - shadowEyeVC.w * positionVC;
     float slant = max(dot(normalVC, upVC), 0.125 * abs(upVC.z));
-    positionVC += max(height - rounding, 0.0) / ((unit + scale * size2) * slant) * upVC;
+    positionVC +=
+      curved * max(height - rounding, 0.0) / ((unit + scale * size2) * slant) * upVC;
   }
 }

@@ -87,7 +87,8 @@ bool shadowFindKernel(int light, int view, vec3 positionVC, vec3 normalVC, out s
   float height = max(centre, 1e-4 * kernel.w);
   float self = shadowSelf ? 1.0 : 0.0;
   kernel.slopeLC = self * planeLC / height;
-  kernel.rise = planeLC / (SHADOW_MAP_SIDE * max(abs(centre), 1e-30));
+  kernel.rise =
+    planeLC / (SHADOW_MAP_SIDE * (centre < 0.0 ? min(centre, -1e-30) : max(centre, 1e-30)));
   vec2 placeLC = kernel.receiverLC.xy;
   kernel.uphill = shadowUphill(kernel.rise, placeLC);
   kernel.wobble = self * shadowNormalRounding * measures.x * max(measures.y, measures.z) / height *

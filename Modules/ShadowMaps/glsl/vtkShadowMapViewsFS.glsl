@@ -41,8 +41,11 @@ vec3 shadowProjectReceiver(int view, vec3 positionVC, vec3 normalVC, out float h
   vec4 depthRow = SHADOW_VIEW(view, 2);
   vec3 placeVC = vec3(SHADOW_VIEW(view, 4).w, SHADOW_VIEW(view, 5).w, SHADOW_VIEW(view, 6).w);
   float isPoint = SHADOW_VIEW(view, 3).xyz == vec3(0.0) ? 0.0 : 1.0;
-  height = dot(normalVC, placeVC - isPoint * positionVC);
-  float step = shadowRounding(positionVC) / max(abs(height), 1e-30);
+  vec3 towardsVC = placeVC - isPoint * positionVC;
+  height = dot(normalVC, towardsVC);
+  // Lines and points have no plane; a plane that the light grazes is not left without end.
+  float step = dot(normalVC, normalVC) * shadowRounding(positionVC) /
+    max(abs(height), dot(abs(towardsVC), vec3(1.0 / 2048.0)));
   float depth =
     dot(depthRow, receiverVC) + step * (dot(depthRow.xyz, placeVC) + isPoint * depthRow.w);
   float w = max(dot(SHADOW_VIEW(view, 3), receiverVC), 1e-30);
@@ -86,7 +89,7 @@ vec3 shadowPlaceReceiver(int view, vec3 positionVC, vec3 normalVC)
   vec3 receiverLC = shadowProjectReceiver(view, positionVC, normalVC, height);
   vec2 rise =
     vec2(dot(normalVC, SHADOW_VIEW(view, 4).xyz), dot(normalVC, SHADOW_VIEW(view, 5).xyz)) /
-    max(abs(height), 1e-30);
+    (height < 0.0 ? min(height, -1e-30) : max(height, 1e-30));
   vec2 uphill = shadowUphill(rise, receiverLC.xy);
   // Behind the far plane, all casters are in front.
   receiverLC.z = min(receiverLC.z - shadowBias(rise, uphill), 1.0);
