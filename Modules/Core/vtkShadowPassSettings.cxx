@@ -106,10 +106,8 @@ const std::vector<vtkShadowParameter>& vtkShadowPass::GetCommonParameters()
       {} },
     { "terminator", Type::Choice, "smooth", 0, 0, { "smooth", "facets" }, "",
       "Whether the shadows on a prop that its normals shade smoothly are those of the smooth "
-      "surface "
-      "that they stand for, or of its facets as they are, which cut the shading where it is "
-      "coarse. "
-      "Facets for measuring",
+      "surface that they stand for, or of its facets as they are, which cut the shading where it "
+      "is coarse. Facets for measuring",
       {} },
   };
   return parameters;

@@ -105,7 +105,7 @@ private:
 
   int Sides = 1;              // 2 where a light reaches through a plane
   int Groups = 1;             // the most of a plane's side
-  std::vector<Entry> Entries; // by light, plane, side
+  std::vector<Entry> Entries; // by light, plane, side, group
   int Layers = 0;
   glm::dmat4 WCToClip{ 0.0 }; // of the camera, for hard
   glm::dmat4 VCToWC{ 0.0 };

@@ -20,8 +20,8 @@ inline vtkShadowParameter Resolution(
 {
   return { "resolution", vtkShadowParameter::Type::Integer, "0", 0, 16384, {}, "texels",
     "Side of a depth map, 16 at least (less counts as 16); 0: the power of two next to the "
-    "picture's "
-    "longer side, 1024 to 4096, and at least 2048 where a mesh has more than 65,536 triangles" +
+    "picture's longer side, 1024 to 4096, and at least 2048 where a mesh has more than 65,536 "
+    "triangles" +
       more,
     std::move(presets) };
 }

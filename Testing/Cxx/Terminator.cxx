@@ -63,7 +63,7 @@ const std::vector<Body>& GetBodies()
       } },
     { "stretched ball",
       [](ShadowStage& stage) { stage.Add(MakeBall(Coarse))->SetScale(1.2, 0.5, 0.9); } },
-    { "tiny ball under a camera that scales",
+    { "ball under a camera that scales",
       [](ShadowStage& stage)
       {
         stage.Add(MakeBall(Coarse));
