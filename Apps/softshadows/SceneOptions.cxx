@@ -14,6 +14,7 @@
 #include "vtkRenderer.h"
 #include "vtkShadowPass.h"
 #include "vtkShadowScenes.h"
+#include "vtkShadowTags.h"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -32,7 +33,7 @@ vtkIdType CountTriangles(vtkRenderer* renderer)
   props->InitTraversal(iterator);
   while (vtkProp* prop = props->GetNextProp(iterator))
   {
-    vtkShadowPass::ForEachPart(prop,
+    vtkShadowTags::ForEachPart(prop,
       [&count](vtkProp* part, vtkMatrix4x4*)
       {
         auto* actor = vtkActor::SafeDownCast(part);

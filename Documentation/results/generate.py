@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Write the tables of README.md from scenes, thesis and scaling/results.json.
+"""Write the tables of README.md, and SUITE/results.csv, from what softshadows bench measured.
 
-    generate.py            rewrite the page between its markers
-    generate.py --check    exit 1 if the page is out of date
-    generate.py --folder F read the results from F/SUITE, and print the page's tables instead
+    generate.py RESULTS            from RESULTS/SUITE/results.json, rewrite the page between its markers
+    generate.py RESULTS --print    print the tables instead
 
 A suite that was not measured has no table, but a line that says so.
 """
 import argparse
+import csv
 import json
 import pathlib
 import re
@@ -20,6 +20,7 @@ MOVES = {"static": "camera moves", "dynamic": "light moves"}
 PEERS = ("vtkShadowMapPass", "ray-traced")
 LIMIT = 1.05  # what exponents are meant to stay within, against LIMITED
 LIMITED = ("triangles", "lights", "pixels")
+SUITES = ("scenes", "thesis", "scaling")
 AXES = ("triangles", "lights", "pixels", "resolution", "light-size")
 
 
@@ -218,7 +219,7 @@ PARTS = {"fronts": ("scenes", fronts), "rays": ("scenes", rays), "losses": ("sce
 def generate(folder):
     """The lines of each part."""
     suites = {}
-    for name in ("scenes", "thesis", "scaling"):
+    for name in SUITES:
         path = folder / name / "results.json"
         if path.exists():
             suites[name] = json.loads(path.read_text())
@@ -228,19 +229,37 @@ def generate(folder):
     return parts
 
 
+def rounded(text):
+    """A figure with five significant digits; other text as it is."""
+    try:
+        return f"{float(text):.5g}"
+    except ValueError:
+        return text
+
+
+def copy_rows(source, target):
+    with open(source, newline="") as file:
+        rows = [[rounded(text) for text in row] for row in csv.reader(file)]
+    target.parent.mkdir(exist_ok=True)
+    with open(target, "w", newline="") as file:
+        csv.writer(file, lineterminator="\n").writerows(rows)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--check", action="store_true", help="exit 1 if the page is out of date")
-    parser.add_argument("--folder", type=pathlib.Path, help="print tables of other results")
+    parser.add_argument("results", type=pathlib.Path, help="output folder of softshadows bench")
+    parser.add_argument("--print", action="store_true", help="print the tables instead")
     arguments = parser.parse_args()
-    parts = generate(arguments.folder or HERE)
-    if arguments.folder:
+    if not any((arguments.results / name / "results.json").exists() for name in SUITES):
+        parser.error(f"{arguments.results} has no SUITE/results.json; suites: {', '.join(SUITES)}")
+    parts = generate(arguments.results)
+    if arguments.print:
         for part, lines in parts.items():
             print(f"## {part}\n")
             print("\n".join(lines) + "\n")
         return 0
     page = HERE / "README.md"
-    old = new = page.read_text()
+    new = page.read_text()
     for part, lines in parts.items():
         begin = BEGIN.format(part)
         text = "\n".join([begin, "", *lines, "", END])
@@ -249,11 +268,11 @@ def main():
         if count != 1:
             print(f"{page} has no place for: {part}", file=sys.stderr)
             return 1
-    if new != old and arguments.check:
-        print(f"out of date, run Documentation/results/generate.py: {page}", file=sys.stderr)
-        return 1
-    if new != old:
-        page.write_text(new)
+    page.write_text(new)
+    for name in SUITES:
+        source = arguments.results / name / "results.csv"
+        if source.exists():
+            copy_rows(source, HERE / name / "results.csv")
     return 0
 
 

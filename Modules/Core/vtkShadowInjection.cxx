@@ -2,7 +2,6 @@
 
 #include "vtkShaderProgram.h"
 #include "vtkShadowCatchFS.h"
-#include "vtkShadowEvaluateFS.h"
 #include "vtkShadowLightsFS.h"
 #include "vtkShadowReceiversFS.h"
 #include "vtkShadowShaderText.h"
@@ -208,7 +207,7 @@ private:
   bool IsTaken()
   {
     const std::string locals = " shadowDxVC shadowDyVC shadowPositionVC shadowNormalVC "
-                               "shadowFootprint shadowFactors shadowI ";
+                               "shadowFootprint shadowSeen shadowI ";
     for (const Text* text : { &this->Known, &this->Later })
     {
       for (const std::string& name : text->GetNames())
@@ -367,10 +366,10 @@ private:
     if (this->Content.Shading)
     {
       body += "  float shadowFootprint = 4.0 * (length(shadowDxVC) + length(shadowDyVC));\n";
-      body += "  SHADOW_VISIBILITY shadowFactors[SHADOW_LIGHTS];\n";
+      body += "  SHADOW_VISIBILITY shadowSeen[SHADOW_LIGHTS];\n";
       const auto call = [this](const std::string& light)
       {
-        return "  shadowFactors[" + light + "] = shadowFactor(" + light +
+        return "  shadowSeen[" + light + "] = shadowSee(" + light +
                ", shadowPositionVC, shadowNormalVC, shadowFootprint);\n";
       };
       if (this->Content.Unrolled)
@@ -390,14 +389,14 @@ private:
     {
       if (this->HasShadow(slot))
       {
-        // Of its parts: 1 minus what each takes.
-        std::string factor;
+        const std::string factor = "shadowFactor" + std::to_string(slot);
+        body += "  SHADOW_VISIBILITY " + factor + " = SHADOW_VISIBILITY(1.0);\n";
         for (const int light : this->Content.LightsOfSlot[slot])
         {
-          factor +=
-            (factor.empty() ? "" : " - 1.0 + ") + ("shadowFactors[" + std::to_string(light)) + "]";
+          const std::string index = "[" + std::to_string(light) + "]";
+          body += "  " + factor + " = shadowAddPart(" + factor + ", shadowAttenuation" + index +
+                  ", shadowSeen" + index + ");\n";
         }
-        body += "  SHADOW_VISIBILITY shadowFactor" + std::to_string(slot) + " = " + factor + ";\n";
       }
     }
     this->Inserted.Add(this->Place, body + this->Colors);
@@ -497,14 +496,4 @@ bool vtkShadowInjection::CanFill(const std::string& source)
 {
   return source.find("//VTK::Output::Dec") != std::string::npos &&
          Text(source).GetMainBegin() != Text::None;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkShadowInjection::GetEvaluation(
-  const std::string& preamble, const std::string& visibilityGLSL)
-{
-  std::string source = vtkShadowEvaluateFS;
-  vtkShaderProgram::Substitute(source, "//SHADOW::Declarations",
-    preamble + vtkShadowLightsFS + vtkShadowReceiversFS + visibilityGLSL);
-  return source;
 }

@@ -48,9 +48,6 @@ std::string Fill(
 
 /** Whether a fragment shader that is all the user's can tell what it receives. */
 bool CanFill(const std::string& fragmentShader);
-
-/** The fragment shader that evaluates the technique's GLSL in screen space. */
-std::string GetEvaluation(const std::string& preamble, const std::string& visibilityGLSL);
 }
 
 #endif

@@ -1,30 +1,20 @@
 #include "vtkShadowPass.h"
 
-#include "vtkCamera.h"
-#include "vtkCommand.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
-#include "vtkLightCollection.h"
-#include "vtkMatrix3x3.h"
-#include "vtkMatrix4x4.h"
-#include "vtkObjectFactory.h"
-#include "vtkOpenGLCamera.h"
 #include "vtkOpenGLError.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderState.h"
-#include "vtkShadowInjection.h"
+#include "vtkShadowDebugViews.h"
+#include "vtkShadowDeclaration.h"
+#include "vtkShadowOpenGL.h"
 #include "vtkShadowPassInternals.h"
-#include "vtkShadowVTKVersion.h"
-
-#include <glm/geometric.hpp>
-#include <glm/gtc/matrix_transform.hpp>
-#include <glm/gtc/type_ptr.hpp>
+#include "vtkShadowReceiverDrawing.h"
+#include "vtkShadowTags.h"
 
 #include <algorithm>
-#include <cmath>
-
-vtkStandardNewMacro(vtkShadowCatcherMark);
+#include <sstream>
 
 namespace
 {
@@ -57,7 +47,7 @@ private:
 };
 
 /** Whether a shadow pass is drawing a prop. */
-bool IsMarked(vtkProp* prop)
+bool IsBeingDrawn(vtkProp* prop)
 {
   vtkInformation* keys = prop->GetPropertyKeys();
   const int count = keys ? keys->Length(vtkOpenGLRenderPass::RenderPasses()) : 0;
@@ -84,28 +74,28 @@ void vtkShadowPass::Render(const vtkRenderState* s)
     this->NumberOfRenderedProps = my.Copy->GetNumberOfRenderedProps();
     return;
   }
-  if (my.Rendering)
+  if (my.At.Rendering)
   {
-    this->ErrorOnce("the pass is its own delegate, or within it: it draws nothing there.");
+    my.Messages.Error("the pass is its own delegate, or within it: it draws nothing there.");
     return;
   }
-  my.Rendering = true; // what is drawn may take the pass off the renderer
+  my.At.Rendering = true; // what is drawn may take the pass off the renderer
   this->NumberOfRenderedProps = 0;
   if (renderer->GetSelector())
   {
     // Selection needs no shadows, but has not taken the pass off either.
-    my.Drawn = my.Drawn || my.Renderer == renderer;
+    my.At.Drawn = my.At.Drawn || my.At.Renderer == renderer;
     this->RenderDelegate(s);
   }
   else if (!vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
   {
     this->IsSupported(renderer->GetRenderWindow());
-    this->WarnOnce("drawn without shadows: " + this->GetUnsupportedReason() + ".");
+    my.Messages.Warn("drawn without shadows: " + this->GetUnsupportedReason() + ".");
     this->RenderDelegate(s);
   }
-  else if (std::any_of(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount(), IsMarked))
+  else if (std::any_of(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount(), IsBeingDrawn))
   {
-    this->WarnOnce(
+    my.Messages.Warn(
       "drawn without shadows: this pass is within another shadow pass, and one at a time draws the "
       "shadows of a renderer. PutOn puts one in the other's place.");
     this->Detach();
@@ -115,8 +105,8 @@ void vtkShadowPass::Render(const vtkRenderState* s)
   {
     this->RenderShadowed(s);
   }
-  my.Rendering = false;
-  if (my.RemovedMeanwhile)
+  my.At.Rendering = false;
+  if (my.At.RemovedMeanwhile)
   {
     this->Detach();
   }
@@ -129,18 +119,18 @@ void vtkShadowPass::RenderShadowed(const vtkRenderState* s)
   vtkRenderer* renderer = s->GetRenderer();
   vtkOpenGLClearErrorMacro();
   this->Attach(renderer);
-  my.Window->MakeCurrent();
-  my.Timers.StartFrame();
+  vtkOpenGLRenderWindow* window = my.At.Window;
+  window->MakeCurrent();
+  my.ReleaseRetired(window);
+  my.Stages.GetTimers().StartFrame();
   ++my.Frames;
-  my.BufferValid = my.GlassValid = false;
   if (renderer->GetUseShadows())
   {
-    this->WarnOnce("the renderer's UseShadows counts for nothing: this pass draws the shadows.");
+    my.Messages.Warn("the renderer's UseShadows counts for nothing: this pass draws the shadows.");
   }
 
   my.Props.assign(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
-  my.HasCatchers = std::any_of(my.Props.begin(), my.Props.end(),
-    [](vtkProp* prop) { return vtkShadowPass::GetShadowCatcher(prop); });
+  my.HasCatchers = std::any_of(my.Props.begin(), my.Props.end(), &vtkShadowTags::GetShadowCatcher);
   if (s->GetFrameBuffer())
   {
     s->GetFrameBuffer()->GetLastSize(my.Size); // within another pass, which may have its own size
@@ -153,263 +143,170 @@ void vtkShadowPass::RenderShadowed(const vtkRenderState* s)
   // Headlights and camera lights follow the camera before their shadows do.
   this->UpdateLightGeometry(renderer);
   this->UpdateLights(renderer);
+  vtkShadowStages& stages = my.Stages;
+  vtkShadowFrame& frame = stages.GetFrame();
   my.Active = this->PrepareShadows(renderer);
   const bool debug = my.DebugView != "none";
-  if (my.Active && (my.ScreenSpace || debug))
+  if (my.Active && (stages.IsInScreenSpace() || debug))
   {
-    this->EvaluateVisibility(debug);
+    my.Active = this->EvaluateVisibility(debug);
   }
   else if (!my.BufferAskedFor)
   {
-    my.Buffer.Release(my.Window);
-    my.Glass.Release(my.Window);
+    stages.Opaque.Release(window);
+    stages.Translucent.Release(window);
+  }
+  if (!my.Active)
+  {
+    frame.Parts.clear();
   }
   my.BufferAskedFor = false;
 
-  this->UpdateInjection(false);
+  my.Injector.Update(my.GetUse());
   if (my.Active)
   {
-    this->ActivateLightData(my.Frame);
-    for (auto* buffer : { &my.Buffer, &my.Glass })
+    my.Technique->Activate(frame);
+    for (auto* screen : { &stages.Opaque, &stages.Translucent })
     {
-      if (my.ScreenSpace && (buffer == &my.Buffer || my.GlassValid))
+      if (stages.IsInScreenSpace() && screen->Valid)
       {
-        buffer->GetReceivers().Activate(my.Window);
-        buffer->GetTarget().Activate(my.Window);
+        screen->Activate(window);
       }
     }
   }
   {
-    vtkShadowTimers::Scope timer(my.Timers, "shading");
+    vtkShadowTimers::Scope timer(stages.GetTimers(), "shading");
     const WithoutVTKShadows without(renderer);
-    this->MarkProps(true);
+    const vtkShadowInjector::Marks marks(my.Injector, this, my.Props);
     this->RenderDelegate(s);
-    this->MarkProps(false);
   }
   // The mappers keep this pass in their caches: it must keep nothing that keeps them.
   my.Props.clear();
   if (my.Active)
   {
-    for (auto* buffer : { &my.Buffer, &my.Glass })
-    {
-      buffer->GetReceivers().Deactivate(my.Window);
-      buffer->GetTarget().Deactivate(my.Window);
-    }
+    stages.Opaque.Deactivate(window);
+    stages.Translucent.Deactivate(window);
     if (debug)
     {
-      this->DrawDebug();
+      stages.Guard(
+        [&]
+        {
+          vtkShadowDebugViews::Draw(frame, *my.Technique, stages.Opaque, my.DebugView);
+          return true;
+        });
     }
-    this->DeactivateLightData(my.Frame);
+    my.Technique->Deactivate(frame);
   }
+  stages.ReleaseUnused();
   vtkOpenGLCheckErrorMacro("failed after vtkShadowPass::Render");
 }
 
 //------------------------------------------------------------------------------
+// Stages 1 and 2. False where no shadows are drawn.
 bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
 {
   Internals& my = *this->Internal;
-  vtkShadowFrame& frame = my.Frame;
-  frame.Renderer = renderer;
-  frame.Window = my.Window;
-  frame.Casters = &my.Casters;
-  frame.Timers = &my.Timers;
-  frame.Quad = &my.Quad;
-  frame.Size[0] = my.Size[0];
-  frame.Size[1] = my.Size[1];
-  frame.Lights.clear();
-  frame.Counts.clear();
-  my.LightNotes.clear();
+  vtkShadowStages& stages = my.Stages;
+  stages.Start(renderer, my.At.Window, my.Size, &my.Messages);
   if (!my.Technique)
   {
-    this->WarnOnce(
+    my.Messages.Warn(
       std::string(this->GetClassName()) + " has no technique: its module is not linked.");
     return false;
   }
-  if (!this->IsSupported(my.Window))
+  if (!this->IsSupported(my.At.Window))
   {
-    this->WarnOnce("drawn without shadows: " + this->GetUnsupportedReason() + ".");
+    my.Messages.Warn("drawn without shadows: " + this->GetUnsupportedReason() + ".");
     return false;
   }
-
-  std::vector<vtkShadowLight> lights = vtkShadowLight::Gather(renderer, this->DefaultLightRadius);
-  for (auto& light : lights)
-  {
-    const int shape = light.Emission ? 5 : static_cast<int>(light.Kind);
-    const char* name = vtkShadowTechnique::ShapeNames[shape];
-    std::string note = std::string(name) + ": shadowed";
-    if (!light.IsFinite())
-    {
-      note = std::string(name) + ": position or size is not finite, casts no shadow";
-      this->WarnOnce("a light's position or size is not finite: it casts no shadow.");
-    }
-    else if (my.Technique->LightShapes[shape] == vtkShadowShapeSupport::Unsupported)
-    {
-      note = std::string(name) + ": not supported by this technique, casts no shadow";
-      this->WarnOnce("a " + note + ".");
-    }
-    else if (static_cast<int>(frame.Lights.size()) >= Internals::MaximumLights)
-    {
-      note = std::string(name) + ": one casting light too many, casts no shadow";
-      this->WarnOnce("more than 16 casting lights: the rest cast no shadow.");
-    }
-    else
-    {
-      frame.Lights.push_back(light);
-    }
-    my.LightNotes.push_back(note);
-  }
-  frame.Counts["lights"] = renderer->GetLights()->GetNumberOfItems();
-  frame.Counts["lightsSkipped"] = frame.Counts["lights"] - frame.Lights.size();
-  if (frame.Lights.empty())
+  if (!stages.Gather(my.Settings, this->DefaultLightRadius))
   {
     return false;
   }
-
-  const std::string rule = this->GetText("translucent-casters");
-  const bool changed = my.Casters.Update(renderer,
-    rule == "off"      ? vtkTranslucentCasters::Off
-    : rule == "opaque" ? vtkTranslucentCasters::Opaque
-                       : vtkTranslucentCasters::Weighted,
-    Internals::MaximumLights / static_cast<int>(frame.Lights.size()) - 1,
-    this->GetReal("alpha-threshold"));
-  this->SplitLights();
-  frame.Counts["casters"] = static_cast<double>(my.Casters.Get().size());
-  frame.Counts["castersRebuilt"] = changed ? 1 : 0;
-  frame.Counts["vertices"] = static_cast<double>(my.Casters.GetNumberOfVertices());
-  frame.Counts["triangles"] = static_cast<double>(my.Casters.GetNumberOfTriangles());
-  frame.Counts["trianglesDropped"] = static_cast<double>(my.Casters.GetNumberOfDroppedTriangles());
-  if (const std::size_t count = my.Casters.GetNumberOfTrianglesNotFinite())
+  this->PrepareTechnique(*my.Technique);
+  if (my.Settings.GetDeclaration()->Traits.NeedsReceivers)
   {
-    this->WarnOnce(
-      std::to_string(count) + " triangles have points that are not finite: they cast no shadow.");
-  }
-  frame.Counts["trianglesClear"] = static_cast<double>(my.Casters.GetNumberOfClearTriangles());
-  frame.Counts["castersWithHoles"] = static_cast<double>(my.Casters.GetNumberWithHoles());
-  if (const std::size_t count = my.Casters.GetNumberOfUnknownAlphas())
-  {
-    this->WarnOnce(std::to_string(count) +
-                   " props have alpha in several textures at once, in a texture of glyphs or in an "
-                   "image slice: it makes no holes in what they cast.");
-  }
-  if (frame.Counts["triangles"] == 0)
-  {
-    return false;
-  }
-
-  frame.Color = std::any_of(frame.Lights.begin(), frame.Lights.end(),
-    [](const vtkShadowLight& light) { return light.Emission != nullptr; });
-  frame.Hard = my.Technique->Hard || std::all_of(frame.Lights.begin(), frame.Lights.end(),
-                                       [](const vtkShadowLight& light) { return light.IsPoint(); });
-  vtkCamera* camera = renderer->GetActiveCamera();
-  glm::dmat4 VTKToClip(1.0);
-  if (auto* glCamera = vtkOpenGLCamera::SafeDownCast(camera))
-  {
-    vtkMatrix4x4 *wcvc, *vcdc, *wcdc; // transposed already, and the camera's own
-    vtkMatrix3x3* normals;
-    glCamera->GetKeyMatrices(renderer, wcvc, normals, vcdc, wcdc);
-    VTKToClip = glm::make_mat4(vcdc->GetData());
-  }
-  if (!frame.SetCamera(
-        glm::transpose(glm::make_mat4(camera->GetModelViewTransformMatrix()->GetData())),
-        VTKToClip))
-  {
-    this->WarnOnce("drawn without shadows: the camera's view transform flattens, is not finite, or "
-                   "is not affine.");
-    return false;
-  }
-  if (my.Size[0] <= 0 || my.Size[1] <= 0)
-  {
-    return false;
-  }
-  {
-    vtkShadowTimers::Scope timer(my.Timers, "light data");
-    if (!this->UpdateLightData(frame))
+    // As they are drawn again with the picture, by the same shaders: in screen space.
+    stages.ChooseEvaluation(nullptr, my.Settings);
+    my.Active = true;
+    if (!stages.AllocateReceivers(stages.Opaque) || !stages.AllocateVisibility(stages.Opaque))
     {
       return false;
     }
+    this->DrawReceivers(false, false);
+    stages.GetFrame().Receivers = &stages.Opaque.Receivers;
   }
-  const std::string choice = this->GetText("evaluation");
-  const bool canForward = this->CanEvaluateForward();
-  if (choice == "forward" && !canForward)
+  if (!stages.UpdateLightData(*my.Technique))
   {
-    this->WarnOnce("cannot be evaluated forward with these parameters; it is in screen space.");
+    return false;
   }
-  my.ScreenSpace =
-    choice == "screen" || !canForward || (choice == "auto" && !this->PrefersForward(frame));
+  stages.ChooseEvaluation(my.Technique.get(), my.Settings);
   return true;
 }
 
 //------------------------------------------------------------------------------
-// A part of each light for each opacity of the casters, and one that only opaque ones hide.
-void vtkShadowPass::SplitLights()
+vtkShadowInjector::Use vtkShadowPass::Internals::GetUse()
 {
-  Internals& my = *this->Internal;
-  std::vector<vtkShadowLight> parts;
-  for (const auto& light : my.Frame.Lights)
-  {
-    double before = 0.0;
-    for (const double opacity : my.Casters.GetOpacities())
-    {
-      parts.push_back(light);
-      parts.back().LeastOpacity = opacity;
-      parts.back().Share = opacity - before;
-      before = opacity;
-    }
-    parts.push_back(light);
-    parts.back().LeastOpacity = 1.0;
-    parts.back().Share = 1.0 - before;
-  }
-  my.Frame.Lights = std::move(parts);
+  vtkShadowInjector::Use use;
+  use.Frame = &this->Stages.GetFrame();
+  use.Technique = this->Active ? this->Technique.get() : nullptr;
+  use.ScreenSpace = this->Stages.IsInScreenSpace();
+  use.Smooth = this->Active && this->Settings.GetChoice("terminator") == "smooth";
+  use.Opaque = &this->Stages.Opaque;
+  use.Translucent = this->Stages.Translucent.Valid ? &this->Stages.Translucent : nullptr;
+  return use;
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowPass::MarkProps(bool mark)
+// Of a screen that has room for them.
+void vtkShadowPass::DrawReceivers(bool translucent, bool withCatchers)
 {
   Internals& my = *this->Internal;
-  my.UpToDatePrograms.clear();
-  if (!mark)
+  vtkShadowScreen& screen = translucent ? my.Stages.Translucent : my.Stages.Opaque;
+  vtkShadowTimers::Scope timer(my.Stages.GetTimers(), "receivers");
+  vtkShadowInjector::Use use = my.GetUse();
+  use.Written = &screen;
+  vtkShadowReceiverDrawing::Draw(my.Injector, use, this, my.Props, { translucent, withCatchers });
+}
+
+//------------------------------------------------------------------------------
+// Stage 3. False where shadows cannot be drawn after all.
+bool vtkShadowPass::EvaluateVisibility(bool withCatchers)
+{
+  Internals& my = *this->Internal;
+  vtkShadowStages& stages = my.Stages;
+  if (!this->EvaluateScreen(false, withCatchers))
   {
-    for (vtkInformation* keys : my.Marked)
-    {
-      keys->Remove(vtkOpenGLRenderPass::RenderPasses(), this);
-      keys->Remove(vtkOpenGLRenderPass::RenderPasses(), my.CatcherMark);
-      if (keys->Length(vtkOpenGLRenderPass::RenderPasses()) == 0)
-      {
-        keys->Remove(vtkOpenGLRenderPass::RenderPasses());
-      }
-    }
-    my.Marked.clear();
-    return;
+    return false;
   }
-  // Not vtkOpenGLRenderPass::PreRender: actors within assemblies need the key too, but a
-  // vtkAssembly lends its own keys to its parts, and a pass that stands there twice injects twice.
-  const auto markOne = [this, &my](vtkProp* prop)
+  const bool translucent = my.Active && stages.IsInScreenSpace() &&
+                           std::any_of(my.Props.begin(), my.Props.end(),
+                             [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry(); });
+  if (!translucent)
   {
-    if (!prop->GetPropertyKeys())
-    {
-      vtkNew<vtkInformation> keys;
-      prop->SetPropertyKeys(keys);
-    }
-    vtkInformation* keys = prop->GetPropertyKeys();
-    for (int i = 0; i < keys->Length(vtkOpenGLRenderPass::RenderPasses()); ++i)
-    {
-      if (keys->Get(vtkOpenGLRenderPass::RenderPasses(), i) == this)
-      {
-        return;
-      }
-    }
-    keys->Append(vtkOpenGLRenderPass::RenderPasses(), this);
-    if (vtkShadowPass::GetShadowCatcher(prop))
-    {
-      keys->Append(vtkOpenGLRenderPass::RenderPasses(), my.CatcherMark);
-    }
-    my.Marked.emplace_back(keys);
-  };
-  for (vtkProp* prop : my.Props)
-  {
-    markOne(prop);
-    vtkShadowPass::ForEachPart(prop, [&markOne](vtkProp* part, vtkMatrix4x4*) { markOne(part); });
+    stages.Translucent.Release(my.At.Window);
+    return true;
   }
+  return this->EvaluateScreen(true, true);
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::EvaluateScreen(bool translucent, bool withCatchers)
+{
+  Internals& my = *this->Internal;
+  vtkShadowStages& stages = my.Stages;
+  vtkShadowScreen& screen = translucent ? stages.Translucent : stages.Opaque;
+  if (!stages.AllocateReceivers(screen) || !stages.AllocateVisibility(screen))
+  {
+    return false;
+  }
+  // Receivers that light data was made from are without catchers, which a debug view shows.
+  if (!screen.Drawn || withCatchers)
+  {
+    this->DrawReceivers(translucent, withCatchers);
+  }
+  screen.Valid = !my.Active || stages.Evaluate(*my.Technique, screen);
+  return screen.Valid;
 }
 
 //------------------------------------------------------------------------------
@@ -451,4 +348,43 @@ void vtkShadowPass::RenderDelegate(const vtkRenderState* s)
   this->UpdateLightGeometry(renderer);
   this->UpdateLights(renderer);
   this->UpdateGeometry(renderer, framebuffer);
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+  std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+{
+  vtkShadowInjector::Mark({ vertexShader, geometryShader, fragmentShader }, prop);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+  std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
+{
+  Internals& my = *this->Internal;
+  const std::string problem =
+    my.Injector.Fill({ vertexShader, geometryShader, fragmentShader }, mapper, prop);
+  if (!problem.empty())
+  {
+    std::ostringstream text;
+    text << "the fragment shader of a " << prop->GetClassName() << " (" << prop
+         << ") is drawn without shadows, or without some of them: " << problem << ".";
+    my.Messages.Warn(text.str());
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+{
+  this->Internal->Injector.SetParameters(program, mapper, prop);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkShadowPass::GetShaderStageMTime()
+{
+  return this->Internal->Injector.GetTime();
 }

@@ -1,22 +1,28 @@
 /**
  * @class   vtkShadowPass
- * @brief   Base of all shadow passes: what VTK draws, with each light's colour times its visibility.
+ * @brief   What VTK draws, with each light's colour times its visibility.
  *
  * @code{.cpp}
- * auto pass = vtkSmartPointer<vtkShadowPass>::Take(vtkShadowTechniques::Create("map-pcss"));
- * renderer->SetPass(pass);
+ * vtkNew<vtkShadowPass> shadows;
+ * shadows->SetTechnique("map-soft"); // "map-pcss" without
+ * renderer->SetPass(shadows);
  * @endcode
+ *
+ * How visibility is found is its technique's, an object that it owns and can change at any time
+ * (SetTechnique). The classes that are named after techniques are this one, beginning with theirs.
  *
  * For light i and surface point p, visibility V_i(p) in [0,1] is the fraction of the light's area
  * that p sees past the casters (a colour for a textured light). Shading multiplies light i's colour
  * by 1 - A_i (1 - V_i), A_i being vtkLight::GetShadowAttenuation(). All else of shading is VTK's.
  *
- * A frame:
+ * A frame, ordered by what the technique declares that it needs (vtkShadowTraits):
  *   1. gather lights and casters (kept while unchanged),
  *   2. the technique builds its light data (kept while lights, casters and parameters are unchanged;
- *      a moving camera rebuilds nothing),
- *   3. where visibility is evaluated in screen space: draw the receivers' positions and normals,
- *      then V_i of each light; both again for the nearest translucent surfaces, if there are any,
+ *      a moving camera rebuilds nothing, unless the technique's light data depends on the camera);
+ *      before it, the receivers are drawn if it is made from them,
+ *   3. where visibility is evaluated in screen space: draw the receivers' positions and normals, if they
+ *      are not yet, then V_i of each light; signed shares of it are added up and kept within 0 and 1;
+ *      both again for the nearest translucent surfaces, if there are any,
  *   4. the delegate draws what VTK draws, with V_i injected into each prop's fragment shader: from
  *      the technique's GLSL (forward) or from the buffer of stage 3,
  *   5. a debug view, if one is set.
@@ -38,28 +44,21 @@
 #include "vtkOpenGLRenderPass.h"
 #include "vtkSoftShadowsCoreModule.h" // For export macro
 
-#include <functional> // For ForEachPart
-#include <memory>     // For Internal
-#include <string>     // For parameters
-#include <utility>    // For std::pair
-#include <vector>     // For common parameters
+#include <memory> // For Internal
+#include <string> // For parameters
 
 class vtkImageData;
 class vtkInformationIntegerKey;
 class vtkLight;
-class vtkMatrix4x4;
 class vtkProp;
 class vtkRenderWindow;
-class vtkVisibilityBuffer;
-struct vtkShadowFrame;
-struct vtkShadowLight;
-struct vtkShadowParameter;
-struct vtkShadowTechnique;
-struct vtkShadowValue;
+class vtkShadowTechnique;
 
 class VTKSOFTSHADOWSCORE_EXPORT vtkShadowPass : public vtkOpenGLRenderPass
 {
 public:
+  /** With the technique "map-pcss", where its module is linked; else with none. */
+  static vtkShadowPass* New();
   vtkTypeMacro(vtkShadowPass, vtkOpenGLRenderPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
@@ -89,9 +88,10 @@ public:
 
   ///@{
   /**
-   * Which technique of the class this is, for a class that has several ("volume-hard",
-   * "volume-soft"). Setting it restores the default parameters. vtkShadowTechniques::Create does
-   * this. False, with an error, if the name is not one of this class.
+   * How visibility is found: any name that vtkShadowTechniques knows, also while a window runs: casters
+   * and buffers stay, and the old technique's light data is freed at the next frame. Setting it restores
+   * the default parameters, and the debug view "none" unless the new technique has it too. False, with an
+   * error that names the choices, if the name is unknown; the technique is then as before.
    */
   bool SetTechnique(const std::string& name);
   std::string GetTechnique();
@@ -131,7 +131,7 @@ public:
   std::string GetDebugView();
   ///@}
   /** The debug views of this technique, separated by spaces. */
-  virtual std::string GetDebugViews();
+  std::string GetDebugViews();
 
   ///@{
   /**
@@ -209,16 +209,6 @@ public:
    */
   std::string GetStatistics();
 
-  /** Parameters that all techniques share. */
-  static const std::vector<vtkShadowParameter>& GetCommonParameters();
-
-  /**
-   * Call a function with each prop in space that a prop draws, and its matrix: itself, the visible
-   * parts of an assembly, or the chosen level of detail of a vtkLODProp3D.
-   */
-  static void ForEachPart(
-    vtkProp* prop, const std::function<void(vtkProp*, vtkMatrix4x4*)>& function);
-
   ///@{
   /** The pass's part in VTK's rendering; not for users. */
   void Render(const vtkRenderState* s) override;
@@ -236,90 +226,15 @@ protected:
   vtkShadowPass();
   ~vtkShadowPass() override;
 
-  //@{
-  /** What a technique does; called with the window current, within a frame. */
-
   /**
-   * Stage 2: bring the light data of frame.Lights up to date; count in frame.Counts. False where
-   * it cannot be had, after an error that says why: the frame is then drawn without shadows.
+   * Give the technique what a subclass keeps for it beside its parameters. Called before each frame, and
+   * once a frame at most for the same technique.
    */
-  virtual bool UpdateLightData(vtkShadowFrame& frame) = 0;
+  virtual void PrepareTechnique(vtkShadowTechnique&) {}
   /**
-   * GLSL that defines `SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionVC, vec3 normalVC)`
-   * with what vtkShadowLightsFS.glsl declares, counting what it spends in shadowCost. Empty for a
-   * technique that fills the buffer itself.
-   */
-  virtual std::string GetVisibilityGLSL() { return ""; }
-  /** Whether the light data is such that the GLSL can run in each prop's shader. */
-  virtual bool CanEvaluateForward() { return !this->GetVisibilityGLSL().empty(); }
-  /** Forward is better where this is true and the user has not said which. */
-  virtual bool PrefersForward(const vtkShadowFrame&) { return true; }
-  /** Bind the light data's textures, before drawing; and unbind them. */
-  virtual void ActivateLightData(vtkShadowFrame&) {}
-  virtual void DeactivateLightData(vtkShadowFrame&) {}
-  /** Set what the GLSL needs, on each program that has it. */
-  virtual void SetVisibilityParameters(vtkShaderProgram*) {}
-  /**
-   * Stage 3: fill the layer of each of frame.Lights in the buffer's target: the visibility, or the
-   * quantity that a debug view wants. By default from the GLSL.
-   */
-  virtual void FillVisibility(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer);
-  /** What "cost" shows as white: the most samples that a pixel can take. */
-  virtual double GetMaximumCost() { return 1.0; }
-  /**
-   * The variable of the GLSL that a debug view shows as grey, its largest value white; empty for a
-   * view that shows something else. The white is told by GetStatistics(): "debugViewWhite".
-   */
-  virtual std::string GetDebugQuantity(const std::string& view);
-  /** A debug view of another kind, drawn over the viewport that is set. */
-  virtual void DrawDebugView(vtkShadowFrame&, const std::string&) {}
-  /** Free the light data. */
-  virtual void ReleaseLightData(vtkRenderWindow* window) = 0;
-  /** Bytes of the light data, by name. */
-  virtual std::vector<std::pair<std::string, std::size_t>> GetLightDataBytes() { return {}; }
-  /** Whether the window has what the technique needs; else a reason. */
-  virtual std::string FindUnsupported(vtkRenderWindow*) { return ""; }
-  //@}
-
-  //@{
-  /**
-   * Whether the technique declares a parameter; and values of declared ones. To ask for another is an
-   * error, and gives 0 or "".
-   */
-  bool HasParameter(const std::string& name) const;
-  int GetInteger(const std::string& name);
-  double GetReal(const std::string& name);
-  bool GetBoolean(const std::string& name);
-  std::string GetText(const std::string& name);
-  //@}
-  /** When parameters last changed: light data that depends on them is then to be built anew. */
-  vtkMTimeType GetParameterTime();
-  /**
-   * Draw the GLSL's visibility of a light into the framebuffer that is bound. With a share, what is
-   * drawn is the (negative) change of visibility, to be added up over parts of the light: the share
-   * is this part's.
-   */
-  void DrawEvaluation(
-    vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int light, double share = 0.0);
-  /**
-   * For a shader of the technique's own: what declares the lights (vtkShadowLightsFS.glsl), and its
-   * uniforms.
-   */
-  std::string GetLightsGLSL();
-  void SetLightParameters(vtkShaderProgram* program);
-  /**
-   * Take over the settings of another pass of this class: those that are here. A subclass with further
-   * ones adds them.
+   * Take over the settings of another pass: those that are here. A subclass with further ones adds them.
    */
   virtual void CopySettings(vtkShadowPass* other);
-  /** Free all that is on the GPU; a subclass's destructor calls this while it can still free. */
-  void Detach();
-  /** Draw a fragment shader over the viewport that is set. */
-  void DrawQuad(
-    const std::string& fragmentShader, const std::function<void(vtkShaderProgram*)>& setParameters);
-  /** Say something once until the technique or a parameter is set again. */
-  void WarnOnce(const std::string& message);
-  void ErrorOnce(const std::string& message);
 
   double DefaultLightRadius = 0.0;
 
@@ -328,28 +243,36 @@ private:
   void operator=(const vtkShadowPass&) = delete;
 
   void SetQuality(int level);
-  const vtkShadowParameter* FindParameter(const std::string& name) const;
-  const vtkShadowValue& GetValue(const std::string& name);
 
   void RenderShadowed(const vtkRenderState* s);
+  bool PrepareShadows(vtkRenderer* renderer);
+  void DrawReceivers(bool translucent, bool withCatchers);
+  bool EvaluateVisibility(bool withCatchers);
+  bool EvaluateScreen(bool translucent, bool withCatchers);
+  void RenderDelegate(const vtkRenderState* s);
+  bool UpdateVisibility();
+  vtkImageData* MakeVisibility(vtkLight* light);
+
   vtkShadowPass* FindCopy(vtkRenderer* renderer);
   bool IsInChain(vtkRenderer* renderer);
   void Attach(vtkRenderer* renderer);
+  void Detach();
   void ReleaseWhenRemoved(vtkObject* caller, unsigned long event, void* data);
-  bool PrepareShadows(vtkRenderer* renderer);
-  void SplitLights();
-  void EvaluateVisibility(bool withCatchers);
-  bool EvaluateReceivers(vtkVisibilityBuffer& buffer, bool translucent, bool withCatchers);
-  void RenderReceivers(vtkVisibilityBuffer& buffer, bool translucent, bool withCatchers);
-  void UpdateInjection(bool writesReceivers);
-  void MarkProps(bool mark);
-  void RenderDelegate(const vtkRenderState* s);
-  void DrawDebug();
-  bool UpdateVisibility();
-  vtkImageData* MakeVisibility(vtkLight* light);
 
   class Internals;
   std::unique_ptr<Internals> Internal;
 };
+
+/**
+ * What a class that is the pass under a technique's name needs beside its declaration: New, which begins
+ * with that technique.
+ */
+#define vtkShadowPassOfTechniqueMacro(Class, technique) \
+  vtkStandardNewMacro(Class);                           \
+  Class::Class()                                        \
+  {                                                     \
+    this->SetTechnique(technique);                      \
+  }                                                     \
+  Class::~Class() = default
 
 #endif

@@ -13,6 +13,7 @@
 
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
+#include "vtkShadowDeclaration.h"
 #include "vtkShadowPassChain.h"
 #include "vtkShadowPassInternals.h"
 
@@ -20,6 +21,8 @@
 
 namespace
 {
+constexpr const char* DefaultTechnique = "map-pcss";
+
 /** The first shadow pass in a renderer's chain, but for this one. */
 vtkShadowPass* FindOther(vtkRenderer* renderer, vtkShadowPass* known)
 {
@@ -41,10 +44,22 @@ void TakeOffOthers(vtkRenderer* renderer, vtkShadowPass* known)
 vtkStandardNewMacro(vtkShadowContextWatch);
 
 //------------------------------------------------------------------------------
-vtkShadowPass::vtkShadowPass()
-  : Internal(new Internals)
+vtkShadowPass* vtkShadowPass::New()
 {
-  this->Internal->Context->Pass = this;
+  auto* pass = new vtkShadowPass;
+  pass->InitializeObjectBase();
+  if (vtkShadowTechniqueRegistration::Find(DefaultTechnique))
+  {
+    pass->SetTechnique(DefaultTechnique);
+  }
+  return pass;
+}
+
+//------------------------------------------------------------------------------
+vtkShadowPass::vtkShadowPass()
+  : Internal(new Internals(this))
+{
+  this->Internal->At.Context->Pass = this;
 }
 
 //------------------------------------------------------------------------------
@@ -56,6 +71,7 @@ vtkShadowPass::~vtkShadowPass()
     copy.Pass->Internal->Original = nullptr;
     copy.Pass->Detach();
   }
+  this->Internal->At.Context->Pass = nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -99,14 +115,15 @@ void vtkShadowPass::TakeOff(vtkRenderer* renderer)
 vtkShadowPass* vtkShadowPass::FindCopy(vtkRenderer* renderer)
 {
   Internals& my = *this->Internal;
-  const auto isDone = [this](const Internals::CopyOf& copy)
-  { return !copy.Renderer || (!copy.Pass->Internal->Holding && !this->IsInChain(copy.Renderer)); };
+  const auto isDone = [this](const Internals::CopyOf& copy) {
+    return !copy.Renderer || (!copy.Pass->Internal->At.Holding && !this->IsInChain(copy.Renderer));
+  };
   my.Copies.erase(std::remove_if(my.Copies.begin(), my.Copies.end(), isDone), my.Copies.end());
   auto copy = std::find_if(my.Copies.begin(), my.Copies.end(),
     [renderer](const Internals::CopyOf& of) { return of.Renderer == renderer; });
   if (copy == my.Copies.end())
   {
-    if (!my.Holding || my.Renderer == renderer)
+    if (!my.At.Holding || my.At.Renderer == renderer)
     {
       return nullptr;
     }
@@ -135,54 +152,54 @@ void vtkShadowPass::Attach(vtkRenderer* renderer)
 {
   Internals& my = *this->Internal;
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (my.Renderer != renderer || my.Window != window)
+  if (my.At.Renderer != renderer || my.At.Window != window)
   {
     this->Detach();
-    my.Renderer = renderer;
-    my.Window = window;
-    my.Observers[0] =
+    my.At.Renderer = renderer;
+    my.At.Window = window;
+    my.At.Observers[0] =
       renderer->AddObserver(vtkCommand::EndEvent, this, &vtkShadowPass::ReleaseWhenRemoved);
-    my.Observers[1] =
+    my.At.Observers[1] =
       renderer->AddObserver(vtkCommand::ModifiedEvent, this, &vtkShadowPass::ReleaseWhenRemoved);
   }
-  my.Context->SetContext(window);
-  my.Seen = this->IsInChain(renderer);
-  my.Drawn = true;
-  my.Holding = true;
+  my.At.Context->SetContext(window);
+  my.At.Seen = this->IsInChain(renderer);
+  my.At.Drawn = true;
+  my.At.Holding = true;
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowPass::Detach()
 {
   Internals& my = *this->Internal;
-  if (my.Renderer)
+  if (my.At.Renderer)
   {
-    my.Renderer->RemoveObserver(my.Observers[0]);
-    my.Renderer->RemoveObserver(my.Observers[1]);
+    my.At.Renderer->RemoveObserver(my.At.Observers[0]);
+    my.At.Renderer->RemoveObserver(my.At.Observers[1]);
   }
-  my.Context->SetContext(nullptr); // nothing where the context has ended
-  my.Renderer = nullptr;
-  my.Window = nullptr;
-  my.RemovedMeanwhile = false;
+  my.At.Context->SetContext(nullptr); // nothing where the context has ended
+  my.At.Renderer = nullptr;
+  my.At.Window = nullptr;
+  my.At.RemovedMeanwhile = false;
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowPass::ReleaseWhenRemoved(vtkObject*, unsigned long event, void*)
 {
   Internals& my = *this->Internal;
-  if (!my.Renderer)
+  if (!my.At.Renderer)
   {
     return;
   }
-  bool removed = my.Seen && !this->IsInChain(my.Renderer);
+  bool removed = my.At.Seen && !this->IsInChain(my.At.Renderer);
   if (event == vtkCommand::EndEvent)
   {
-    removed = removed || (!my.Seen && !my.Drawn && !my.Renderer->GetBackingStore());
-    my.Drawn = false;
+    removed = removed || (!my.At.Seen && !my.At.Drawn && !my.At.Renderer->GetBackingStore());
+    my.At.Drawn = false;
   }
-  if (removed && my.Rendering)
+  if (removed && my.At.Rendering)
   {
-    my.RemovedMeanwhile = true;
+    my.At.RemovedMeanwhile = true;
   }
   else if (removed)
   {
@@ -196,16 +213,15 @@ void vtkShadowPass::ReleaseGraphicsResources(vtkWindow* window)
   Internals& my = *this->Internal;
   auto* glWindow = vtkOpenGLRenderWindow::SafeDownCast(window);
   // A window that is being destroyed has already left the weak pointer.
-  if (glWindow && (glWindow == my.Window || (!my.Window && my.Holding)))
+  if (glWindow && (glWindow == my.At.Window || (!my.At.Window && my.At.Holding)))
   {
-    my.Holding = false;
-    my.Timers.Release();
-    my.Casters.ReleaseGraphicsResources(glWindow);
-    my.Buffer.Release(glWindow);
-    my.Glass.Release(glWindow);
-    my.Quad.Release();
-    this->ReleaseLightData(glWindow);
-    my.BufferValid = my.GlassValid = false;
+    my.At.Holding = false;
+    my.Stages.Release(glWindow);
+    if (my.Technique)
+    {
+      my.Technique->Release(glWindow);
+    }
+    my.ReleaseRetired(glWindow);
     my.Active = false;
   }
   for (const auto& copy : my.Copies)
@@ -217,4 +233,18 @@ void vtkShadowPass::ReleaseGraphicsResources(vtkWindow* window)
     my.Delegate->ReleaseGraphicsResources(window);
   }
   this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::Internals::ReleaseRetired(vtkOpenGLRenderWindow* window)
+{
+  for (const auto& technique : this->Retired)
+  {
+    technique->Release(window);
+  }
+  if (!this->Retired.empty())
+  {
+    this->Stages.ReleaseOfTechnique();
+  }
+  this->Retired.clear();
 }

@@ -1,149 +1,51 @@
 // The settings of vtkShadowPass: technique, parameters, debug view, statistics.
 
-#include "vtkShadowNumber.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkShadowDebugViews.h"
+#include "vtkShadowDeclaration.h"
+#include "vtkShadowOpenGL.h"
 #include "vtkShadowPassChain.h"
 #include "vtkShadowPassInternals.h"
-#include "vtkShadowVTKVersion.h"
+#include "vtkShadowTags.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
-#include <sstream>
-
-namespace
-{
-std::string Join(const std::vector<std::string>& words)
-{
-  std::string text;
-  for (const auto& word : words)
-  {
-    text += (text.empty() ? "" : ", ") + word;
-  }
-  return text;
-}
-
-std::string JoinNames(const std::map<std::string, vtkShadowValue>& values)
-{
-  std::vector<std::string> names;
-  for (const auto& entry : values)
-  {
-    names.push_back(entry.first);
-  }
-  return Join(names);
-}
-
-/** What a text says as a value of a parameter; nothing if it cannot be one. */
-std::optional<vtkShadowValue> Read(const vtkShadowParameter& parameter, const std::string& text)
-{
-  using Type = vtkShadowParameter::Type;
-  if (parameter.ValueType == Type::Boolean)
-  {
-    if (text == "on" || text == "true" || text == "1")
-    {
-      return vtkShadowValue{ "on", 1.0 };
-    }
-    if (text == "off" || text == "false" || text == "0")
-    {
-      return vtkShadowValue{ "off", 0.0 };
-    }
-    return std::nullopt;
-  }
-  if (parameter.ValueType == Type::Choice)
-  {
-    const auto& choices = parameter.Choices;
-    const bool known = std::find(choices.begin(), choices.end(), text) != choices.end();
-    return known ? std::optional(vtkShadowValue{ text, 0.0 }) : std::nullopt;
-  }
-  const auto number = vtkShadowNumber::Parse(text);
-  const bool valid = number && *number >= parameter.Minimum && *number <= parameter.Maximum &&
-                     (parameter.ValueType != Type::Integer || *number == std::trunc(*number));
-  if (!valid)
-  {
-    return std::nullopt;
-  }
-  const bool real = parameter.ValueType == Type::Real;
-  return vtkShadowValue{ real ? text : vtkShadowNumber::Print(*number), *number };
-}
-
-std::string DescribeRange(const vtkShadowParameter& parameter)
-{
-  using Type = vtkShadowParameter::Type;
-  switch (parameter.ValueType)
-  {
-    case Type::Boolean:
-      return "on or off";
-    case Type::Choice:
-      return "one of: " + Join(parameter.Choices);
-    default:
-      return (parameter.ValueType == Type::Integer ? "a whole number from " : "a number from ") +
-             vtkShadowNumber::Print(parameter.Minimum) + " to " +
-             vtkShadowNumber::Print(parameter.Maximum);
-  }
-}
-}
-
-//------------------------------------------------------------------------------
-const std::vector<vtkShadowParameter>& vtkShadowPass::GetCommonParameters()
-{
-  using Type = vtkShadowParameter::Type;
-  static const std::vector<vtkShadowParameter> parameters = {
-    { "evaluation", Type::Choice, "auto", 0, 0, { "auto", "forward", "screen" }, "",
-      "Where visibility is evaluated: in each prop's shader (forward; keeps translucent receivers "
-      "and several samples a pixel), or once a pixel into a buffer (screen); auto takes what the "
-      "technique measured as the faster",
-      {} },
-    { "translucent-casters", Type::Choice, "off", 0, 0, { "off", "opaque", "weighted" }, "",
-      "Whether translucent props cast: not at all, as if they were opaque, or by their property's "
-      "(or "
-      "block's) opacity; of several in a row the most opaque counts. Weighted costs one evaluation "
-      "more for each opacity that occurs",
-      {} },
-    { "alpha-threshold", Type::Real, "0.5", 0, 1, {}, "",
-      "Where the alpha of a prop's own texture and colours (not its property's opacity) is below "
-      "this, it has a hole that light passes; elsewhere it casts. 0: no holes",
-      {} },
-    { "terminator", Type::Choice, "smooth", 0, 0, { "smooth", "facets" }, "",
-      "Whether the shadows on a prop that its normals shade smoothly are those of the smooth "
-      "surface that they stand for, or of its facets as they are, which cut the shading where it "
-      "is coarse. Facets for measuring",
-      {} },
-  };
-  return parameters;
-}
+#include <utility>
 
 //------------------------------------------------------------------------------
 bool vtkShadowPass::SetTechnique(const std::string& name)
 {
-  const vtkShadowTechnique* technique = vtkShadowTechniqueRegistration::Find(name);
-  if (!technique || technique->ClassName != this->GetClassName())
+  Internals& my = *this->Internal;
+  const vtkShadowDeclaration* declaration = vtkShadowTechniqueRegistration::Find(name);
+  if (!declaration)
   {
-    std::vector<std::string> known;
+    std::string known;
     for (const auto& entry : vtkShadowTechniqueRegistration::GetAll())
     {
-      if (entry.second.ClassName == this->GetClassName())
-      {
-        known.push_back(entry.first);
-      }
+      known += (known.empty() ? "" : ", ") + entry.first;
     }
-    vtkErrorMacro("'" << name << "' is not a technique of " << this->GetClassName()
-                      << ". Known: " << Join(known) << ".");
+    vtkErrorMacro("SetTechnique: there is no technique '" << name << "'. Known: " << known << ".");
     return false;
   }
-  this->Internal->Technique = technique;
-  this->Internal->Values.clear();
-  for (const auto* list : { &technique->Parameters, &vtkShadowPass::GetCommonParameters() })
+  const bool isAnother = declaration != my.Settings.GetDeclaration();
+  my.Settings.Reset(declaration);
+  if (isAnother)
   {
-    for (const auto& parameter : *list)
+    if (my.Technique)
     {
-      this->Internal->Values[parameter.Name] =
-        Read(parameter, parameter.Default).value_or(vtkShadowValue{ parameter.Default, 0.0 });
+      my.Retired.push_back(std::move(my.Technique));
     }
+    my.Technique = declaration->Make(my.Settings);
+    my.Active = false; // the frame that was drawn is not this technique's
+    my.Stages.Opaque.Valid = my.Stages.Translucent.Valid = false;
   }
-  this->Internal->DebugView = "none";
-  this->Internal->Said.clear();
-  this->Internal->ParameterTime.Modified();
+  const auto views = vtkShadowDebugViews::GetNames(declaration);
+  if (std::find(views.begin(), views.end(), my.DebugView) == views.end())
+  {
+    my.DebugView = "none";
+  }
+  my.Messages.SetPrefix(name);
   this->Modified();
   return true;
 }
@@ -151,54 +53,23 @@ bool vtkShadowPass::SetTechnique(const std::string& name)
 //------------------------------------------------------------------------------
 std::string vtkShadowPass::GetTechnique()
 {
-  return this->Internal->Technique ? this->Internal->Technique->Name : "";
-}
-
-//------------------------------------------------------------------------------
-const vtkShadowParameter* vtkShadowPass::FindParameter(const std::string& name) const
-{
-  if (this->Internal->Technique)
-  {
-    for (const auto* list :
-      { &this->Internal->Technique->Parameters, &vtkShadowPass::GetCommonParameters() })
-    {
-      for (const auto& parameter : *list)
-      {
-        if (parameter.Name == name)
-        {
-          return &parameter;
-        }
-      }
-    }
-  }
-  return nullptr;
+  return this->Internal->Settings.GetTechnique();
 }
 
 //------------------------------------------------------------------------------
 bool vtkShadowPass::SetParameter(const std::string& name, const std::string& value)
 {
-  const vtkShadowParameter* parameter = this->FindParameter(name);
-  if (!parameter)
+  Internals& my = *this->Internal;
+  const vtkMTimeType before = my.Settings.GetTime();
+  const std::string problem = my.Settings.Set(name, value);
+  if (!problem.empty())
   {
-    vtkErrorMacro(<< this->GetTechnique() << " has no parameter '" << name
-                  << "'. Known: " << JoinNames(this->Internal->Values) << ".");
+    vtkErrorMacro(<< problem);
     return false;
   }
-  const auto read = Read(*parameter, value);
-  if (!read)
+  if (my.Settings.GetTime() != before)
   {
-    vtkErrorMacro(<< this->GetTechnique() << ": parameter '" << name << "' cannot be '" << value
-                  << "'; it is " << DescribeRange(*parameter) << ".");
-    return false;
-  }
-  vtkShadowValue& current = this->Internal->Values[name];
-  const bool choice = parameter->ValueType == vtkShadowParameter::Type::Choice;
-  const bool changed = choice ? current.Text != read->Text : current.Number != read->Number;
-  current = *read;
-  if (changed)
-  {
-    this->Internal->Said.clear();
-    this->Internal->ParameterTime.Modified();
+    my.Messages.Forget();
     this->Modified();
   }
   return true;
@@ -207,121 +78,54 @@ bool vtkShadowPass::SetParameter(const std::string& name, const std::string& val
 //------------------------------------------------------------------------------
 std::string vtkShadowPass::GetParameter(const std::string& name)
 {
-  return this->GetValue(name).Text;
+  const vtkShadowSettings& settings = this->Internal->Settings;
+  const std::string* value = settings.Find(name);
+  if (!value)
+  {
+    vtkErrorMacro(<< settings.GetUnknown(name));
+  }
+  return value ? *value : "";
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowPass::SetQuality(int level)
 {
-  if (!this->Internal->Technique)
+  if (const vtkShadowDeclaration* declaration = this->Internal->Settings.GetDeclaration())
   {
-    return;
-  }
-  for (const auto& parameter : this->Internal->Technique->Parameters)
-  {
-    if (!parameter.Presets.empty())
+    for (const auto& parameter : declaration->Parameters)
     {
-      this->SetParameter(parameter.Name, parameter.Presets[level]);
+      if (!parameter.Presets.empty())
+      {
+        this->SetParameter(parameter.Name, parameter.Presets[level]);
+      }
     }
-  }
-}
-
-//------------------------------------------------------------------------------
-bool vtkShadowPass::HasParameter(const std::string& name) const
-{
-  return this->FindParameter(name) != nullptr;
-}
-
-//------------------------------------------------------------------------------
-const vtkShadowValue& vtkShadowPass::GetValue(const std::string& name)
-{
-  const auto found = this->Internal->Values.find(name);
-  if (found == this->Internal->Values.end())
-  {
-    static const vtkShadowValue none;
-    vtkErrorMacro(<< this->GetTechnique() << " has no parameter '" << name
-                  << "'. Known: " << JoinNames(this->Internal->Values) << ".");
-    return none;
-  }
-  return found->second;
-}
-
-//------------------------------------------------------------------------------
-int vtkShadowPass::GetInteger(const std::string& name)
-{
-  return static_cast<int>(this->GetValue(name).Number);
-}
-
-//------------------------------------------------------------------------------
-double vtkShadowPass::GetReal(const std::string& name)
-{
-  return this->GetValue(name).Number;
-}
-
-//------------------------------------------------------------------------------
-bool vtkShadowPass::GetBoolean(const std::string& name)
-{
-  return this->GetValue(name).Number != 0.0;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkShadowPass::GetText(const std::string& name)
-{
-  return this->GetValue(name).Text;
-}
-
-//------------------------------------------------------------------------------
-vtkMTimeType vtkShadowPass::GetParameterTime()
-{
-  return this->Internal->ParameterTime;
-}
-
-//------------------------------------------------------------------------------
-void vtkShadowPass::WarnOnce(const std::string& message)
-{
-  if (this->Internal->Said.insert(message).second)
-  {
-    vtkWarningMacro(<< this->GetTechnique() << ": " << message);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkShadowPass::ErrorOnce(const std::string& message)
-{
-  if (this->Internal->Said.insert(message).second)
-  {
-    vtkErrorMacro(<< this->GetTechnique() << ": " << message);
   }
 }
 
 //------------------------------------------------------------------------------
 std::string vtkShadowPass::GetDebugViews()
 {
-  return "none visibility penumbra cost";
-}
-
-//------------------------------------------------------------------------------
-std::string vtkShadowPass::GetDebugQuantity(const std::string& view)
-{
-  return view == "cost" ? "shadowCost" : "";
+  std::string text;
+  for (const auto& name : vtkShadowDebugViews::GetNames(this->Internal->Settings.GetDeclaration()))
+  {
+    text += (text.empty() ? "" : " ") + name;
+  }
+  return text;
 }
 
 //------------------------------------------------------------------------------
 bool vtkShadowPass::SetDebugView(const std::string& view)
 {
-  std::istringstream known(this->GetDebugViews());
-  for (std::string name; known >> name;)
+  const auto names = vtkShadowDebugViews::GetNames(this->Internal->Settings.GetDeclaration());
+  if (std::find(names.begin(), names.end(), view) == names.end())
   {
-    if (name == view)
-    {
-      this->Internal->DebugView = view;
-      this->Modified();
-      return true;
-    }
+    vtkErrorMacro(<< this->GetTechnique() << " has no debug view '" << view
+                  << "'. Known: " << this->GetDebugViews() << ".");
+    return false;
   }
-  vtkErrorMacro(<< this->GetTechnique() << " has no debug view '" << view
-                << "'. Known: " << this->GetDebugViews() << ".");
-  return false;
+  this->Internal->DebugView = view;
+  this->Modified();
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -356,17 +160,15 @@ void vtkShadowPass::CopySettings(vtkShadowPass* other)
 {
   Internals& my = *this->Internal;
   const Internals& from = *other->Internal;
-  if (this->GetTechnique() != other->GetTechnique())
+  if (this->GetTechnique() != other->GetTechnique() && from.Technique)
   {
     this->SetTechnique(other->GetTechnique());
   }
-  const auto same = [](const auto& a, const auto& b)
-  { return a.first == b.first && a.second.Text == b.second.Text; };
-  if (!std::equal(my.Values.begin(), my.Values.end(), from.Values.begin(), from.Values.end(), same))
+  const vtkMTimeType before = my.Settings.GetTime();
+  my.Settings.Copy(from.Settings);
+  if (my.Settings.GetTime() != before)
   {
-    my.Values = from.Values;
-    my.Said.clear();
-    my.ParameterTime.Modified();
+    my.Messages.Forget();
   }
   my.DebugView = from.DebugView;
   this->SetDelegatePass(from.Delegate);
@@ -392,7 +194,7 @@ bool vtkShadowPass::IsSupported(vtkRenderWindow* window)
     const bool has = major > 3 || (major == 3 && minor >= 3) ||
                      (major == 3 && minor == 2 && VTK_SHADOW_HAS_GL(ARB_shader_bit_encoding));
     this->Internal->UnsupportedReason =
-      has ? this->FindUnsupported(window)
+      has ? (this->Internal->Technique ? this->Internal->Technique->FindUnsupported(glWindow) : "")
           : "OpenGL 3.3 is needed, or 3.2 with ARB_shader_bit_encoding; the window has " +
               std::to_string(major) + "." + std::to_string(minor);
   }
@@ -413,28 +215,34 @@ std::string vtkShadowPass::GetStatistics()
   {
     return my.Copy->GetStatistics();
   }
+  vtkShadowStages& stages = my.Stages;
   nlohmann::ordered_json json = { { "technique", this->GetTechnique() }, { "frame", my.Frames },
-    { "evaluation", my.Active ? (my.ScreenSpace ? "screen" : "forward") : "none" } };
-  if (my.Window && my.Timers.ArePending())
+    { "evaluation", my.Active ? (stages.IsInScreenSpace() ? "screen" : "forward") : "none" } };
+  if (my.At.Window && stages.GetTimers().ArePending())
   {
-    my.Window->MakeCurrent();
+    my.At.Window->MakeCurrent();
   }
-  json["milliseconds"] = my.Timers.GetMilliseconds();
-  json["counts"] = my.Frame.Counts;
-  json["lights"] = nlohmann::ordered_json::array();
-  for (const auto& note : my.LightNotes)
+  json["milliseconds"] = stages.GetTimers().GetMilliseconds();
+  json["counts"] = stages.GetFrame().Counts;
+  json["lights"] = stages.GetLightNotes();
+  std::size_t total = stages.GetCasterBytes() + stages.GetBufferBytes();
+  json["bytes"]["casters"] = stages.GetCasterBytes();
+  json["bytes"]["buffers"] = stages.GetBufferBytes();
+  const auto add = [&](vtkShadowTechnique* technique, const std::string& prefix)
   {
-    json["lights"].push_back(note);
+    for (const auto& entry : technique->GetBytes())
+    {
+      json["bytes"][prefix + entry.first] = entry.second;
+      total += entry.second;
+    }
+  };
+  if (my.Technique)
+  {
+    add(my.Technique.get(), "");
   }
-  const std::size_t casterBytes = my.Casters.GetGPUBytes();
-  json["bytes"]["casters"] = casterBytes;
-  const std::size_t bufferBytes = my.Buffer.GetGPUBytes() + my.Glass.GetGPUBytes();
-  std::size_t total = casterBytes + bufferBytes;
-  json["bytes"]["buffers"] = bufferBytes;
-  for (const auto& entry : this->GetLightDataBytes())
+  for (const auto& technique : my.Retired)
   {
-    json["bytes"][entry.first] = entry.second;
-    total += entry.second;
+    add(technique.get(), "replaced: ");
   }
   json["bytes"]["total"] = total;
   return json.dump(2);
@@ -445,11 +253,77 @@ void vtkShadowPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Technique: " << this->GetTechnique() << "\n";
-  for (const auto& entry : this->Internal->Values)
+  for (const auto& entry : this->Internal->Settings.GetAll())
   {
     os << indent << entry.first << ": " << entry.second.Text << "\n";
   }
   os << indent << "DebugView: " << this->Internal->DebugView << "\n";
   os << indent << "DefaultLightRadius: " << this->DefaultLightRadius << "\n";
   os << indent << "DelegatePass: " << this->Internal->Delegate.Get() << "\n";
+}
+
+//------------------------------------------------------------------------------
+vtkInformationIntegerKey* vtkShadowPass::CASTS_SHADOW()
+{
+  return vtkShadowTags::CASTS_SHADOW();
+}
+
+//------------------------------------------------------------------------------
+vtkInformationIntegerKey* vtkShadowPass::RECEIVES_SHADOW()
+{
+  return vtkShadowTags::RECEIVES_SHADOW();
+}
+
+//------------------------------------------------------------------------------
+vtkInformationIntegerKey* vtkShadowPass::SHADOW_CATCHER()
+{
+  return vtkShadowTags::SHADOW_CATCHER();
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::SetCasting(vtkProp* prop, bool casts)
+{
+  vtkShadowTags::SetCasting(prop, casts);
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::GetCasting(vtkProp* prop)
+{
+  return vtkShadowTags::GetCasting(prop);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::SetReceiving(vtkProp* prop, bool receives)
+{
+  vtkShadowTags::SetReceiving(prop, receives);
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::GetReceiving(vtkProp* prop)
+{
+  return vtkShadowTags::GetReceiving(prop);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::SetShadowCatcher(vtkProp* prop, bool catches)
+{
+  vtkShadowTags::SetShadowCatcher(prop, catches);
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::GetShadowCatcher(vtkProp* prop)
+{
+  return vtkShadowTags::GetShadowCatcher(prop);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::SetLightCasting(vtkLight* light, bool casts)
+{
+  vtkShadowTags::SetLightCasting(light, casts);
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::GetLightCasting(vtkLight* light)
+{
+  return vtkShadowTags::GetLightCasting(light);
 }

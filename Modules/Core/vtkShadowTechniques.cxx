@@ -1,8 +1,8 @@
 #include "vtkShadowTechniques.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkShadowDeclaration.h"
 #include "vtkShadowPass.h"
-#include "vtkShadowTechnique.h"
 
 #include <nlohmann/json.hpp>
 
@@ -12,20 +12,13 @@ vtkStandardNewMacro(vtkShadowTechniques);
 
 namespace
 {
-// Function-local, so that it exists before the first family registers, whatever the load order.
-vtkShadowTechniqueRegistration::Registry& GetRegistry()
+const vtkShadowDeclaration* FindOrReport(const std::string& name)
 {
-  static vtkShadowTechniqueRegistration::Registry techniques;
-  return techniques;
-}
-
-const vtkShadowTechnique* FindOrReport(const std::string& name)
-{
-  const vtkShadowTechnique* technique = vtkShadowTechniqueRegistration::Find(name);
+  const vtkShadowDeclaration* technique = vtkShadowTechniqueRegistration::Find(name);
   if (!technique)
   {
     std::string known;
-    for (const auto& other : GetRegistry())
+    for (const auto& other : vtkShadowTechniqueRegistration::GetAll())
     {
       known += (known.empty() ? "" : ", ") + other.first;
     }
@@ -94,34 +87,14 @@ nlohmann::ordered_json ToJson(const vtkShadowParameter& parameter)
 }
 
 //------------------------------------------------------------------------------
-vtkShadowTechniqueRegistration::vtkShadowTechniqueRegistration(vtkShadowTechnique technique)
-{
-  const std::string name = technique.Name;
-  GetRegistry().emplace(name, std::move(technique));
-}
-
-//------------------------------------------------------------------------------
-const vtkShadowTechniqueRegistration::Registry& vtkShadowTechniqueRegistration::GetAll()
-{
-  return GetRegistry();
-}
-
-//------------------------------------------------------------------------------
-const vtkShadowTechnique* vtkShadowTechniqueRegistration::Find(const std::string& name)
-{
-  const auto found = GetRegistry().find(name);
-  return found == GetRegistry().end() ? nullptr : &found->second;
-}
-
-//------------------------------------------------------------------------------
 vtkShadowPass* vtkShadowTechniques::Create(const std::string& name)
 {
-  const vtkShadowTechnique* technique = FindOrReport(name);
+  const vtkShadowDeclaration* technique = FindOrReport(name);
   if (!technique)
   {
     return nullptr;
   }
-  vtkShadowPass* pass = technique->New();
+  vtkShadowPass* pass = technique->NewPass ? technique->NewPass() : vtkShadowPass::New();
   pass->SetTechnique(name);
   return pass;
 }
@@ -129,7 +102,7 @@ vtkShadowPass* vtkShadowTechniques::Create(const std::string& name)
 //------------------------------------------------------------------------------
 int vtkShadowTechniques::GetNumberOfTechniques()
 {
-  return static_cast<int>(GetRegistry().size());
+  return static_cast<int>(vtkShadowTechniqueRegistration::GetAll().size());
 }
 
 //------------------------------------------------------------------------------
@@ -142,32 +115,44 @@ const char* vtkShadowTechniques::GetName(int i)
                                        << vtkShadowTechniques::GetNumberOfTechniques() << ".");
     return nullptr;
   }
-  return std::next(GetRegistry().begin(), i)->first.c_str();
+  return std::next(vtkShadowTechniqueRegistration::GetAll().begin(), i)->first.c_str();
 }
 
 //------------------------------------------------------------------------------
 std::string vtkShadowTechniques::Describe(const std::string& name)
 {
-  const vtkShadowTechnique* technique = FindOrReport(name);
+  const vtkShadowDeclaration* technique = FindOrReport(name);
   if (!technique)
   {
     return "";
   }
   nlohmann::ordered_json json = { { "name", technique->Name }, { "title", technique->Title },
-    { "paper", technique->Paper }, { "class", technique->ClassName }, { "hard", technique->Hard },
-    { "planarReceivers", technique->PlanarReceivers } };
-  for (std::size_t i = 0; i < vtkShadowTechnique::ShapeNames.size(); ++i)
+    { "paper", technique->Paper },
+    { "class", technique->ClassName.empty() ? "vtkShadowPass" : technique->ClassName } };
+  const vtkShadowTraits& traits = technique->Traits;
+  json["hard"] = traits.Hard;
+  json["planarReceivers"] = traits.PlanarReceivers;
+  json["needsReceivers"] = traits.NeedsReceivers;
+  json["cameraDependent"] = traits.CameraDependent;
+  json["forward"] = traits.Forward;
+  json["signedShares"] = traits.SignedShares;
+  for (std::size_t i = 0; i < vtkShadowDeclaration::ShapeNames.size(); ++i)
   {
-    json["lightShapes"][vtkShadowTechnique::ShapeNames[i]] = ToString(technique->LightShapes[i]);
+    json["lightShapes"][vtkShadowDeclaration::ShapeNames[i]] = ToString(technique->LightShapes[i]);
   }
   json["parameters"] = nlohmann::ordered_json::array();
   for (const auto& parameter : technique->Parameters)
   {
     json["parameters"].push_back(ToJson(parameter));
   }
-  for (const auto& parameter : vtkShadowPass::GetCommonParameters())
+  for (const auto& parameter : vtkShadowParameter::GetCommon())
   {
     json["parameters"].push_back(ToJson(parameter));
+  }
+  json["debugViews"] = { "none", "visibility", "penumbra", "cost" };
+  for (const auto& view : technique->DebugViews)
+  {
+    json["debugViews"].push_back(view);
   }
   json["resources"] = technique->Resources;
   json["limits"] = technique->Limits;

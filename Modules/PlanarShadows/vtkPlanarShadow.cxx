@@ -47,8 +47,8 @@ void Snap(double& low, double& high, double receiversLow, double receiversHigh)
 
 //------------------------------------------------------------------------------
 vtkPlanarShadow::vtkPlanarShadow(
-  const vtkShadowLight& light, const vtkShadowPlane& plane, double side)
-  : Light(light)
+  const vtkShadowLightPart& part, const vtkShadowPlane& plane, double side)
+  : LightPart(part)
   , Plane(plane)
   , Side(side)
 {
@@ -63,7 +63,7 @@ glm::dvec4 vtkPlanarShadow::GetEquation() const
 //------------------------------------------------------------------------------
 glm::dvec4 vtkPlanarShadow::GetPlace(const vtkLightSample& sample) const
 {
-  return { sample.Point, this->Light.IsDirectional() ? 0.0 : 1.0 };
+  return { sample.Point, this->LightPart.Light.IsDirectional() ? 0.0 : 1.0 };
 }
 
 //------------------------------------------------------------------------------
@@ -118,8 +118,9 @@ void vtkPlanarShadow::Find(const vtkShadowCasters& casters, bool around)
   // A point's shadow from anywhere on the light lies amid those from its extremes, while they are
   // above it.
   std::vector<glm::dvec4> places;
-  const glm::dvec3 origin = this->Light.IsDirectional() ? glm::dvec3(0.0) : casters.GetOrigin();
-  for (const auto& point : this->Light.GetExtremes())
+  const glm::dvec3 origin =
+    this->LightPart.Light.IsDirectional() ? glm::dvec3(0.0) : casters.GetOrigin();
+  for (const auto& point : this->LightPart.Light.GetExtremes())
   {
     places.push_back(this->GetPlace({ point - origin, {} }));
   }
@@ -143,7 +144,7 @@ void vtkPlanarShadow::Find(const vtkShadowCasters& casters, bool around)
   {
     const vtkShadowCaster& caster = casters.Get()[i];
     const double tolerance = Rounding * glm::length(caster.Corners[7] - caster.Corners[0]);
-    if (!caster.IsSeenBy(this->Light) || this->Plane.Holds(caster) ||
+    if (!caster.IsSeenBy(this->LightPart) || this->Plane.Holds(caster) ||
         turned.Cut(caster.Corners, tolerance, 1e300).empty())
     {
       continue;
@@ -259,7 +260,7 @@ std::vector<vtkPlanarShadow> vtkPlanarShadow::Divide(int most) const
 //------------------------------------------------------------------------------
 bool vtkPlanarShadow::Same(const vtkPlanarShadow& other) const
 {
-  return this->Light.SameGeometry(other.Light) && this->Plane == other.Plane &&
+  return this->LightPart.SameGeometry(other.LightPart) && this->Plane == other.Plane &&
          this->Side == other.Side && this->Casters == other.Casters &&
          this->Window == other.Window &&
          std::equal(this->Samples.begin(), this->Samples.end(), other.Samples.begin(),

@@ -1,4 +1,4 @@
-// One plane's shadow from one light: what falls onto it, where, and by which projection.
+// One plane's shadow from one part of a light: what falls onto it, where, and by which projection.
 
 #ifndef vtkPlanarShadow_h
 #define vtkPlanarShadow_h
@@ -17,7 +17,7 @@ class vtkShadowCasters;
 
 struct VTKSOFTSHADOWSPLANARSHADOWS_EXPORT vtkPlanarShadow
 {
-  vtkShadowLight Light;
+  vtkShadowLightPart LightPart;
   vtkShadowPlane Plane;
   double Side = 1.0; // 1: of light above the plane, where its normal points; -1: below
   /** What of the light's emission is on this side, and where: points in WC, or directions. */
@@ -30,7 +30,7 @@ struct VTKSOFTSHADOWSPLANARSHADOWS_EXPORT vtkPlanarShadow
   /** The most that a caster lifts a penumbra: see GetSpread(). */
   double Spread = 0.0;
 
-  vtkPlanarShadow(const vtkShadowLight& light, const vtkShadowPlane& plane, double side);
+  vtkPlanarShadow(const vtkShadowLightPart& part, const vtkShadowPlane& plane, double side);
 
   /** Find casters and window. `around`: as far as penumbrae of all of the light's size reach. */
   void Find(const vtkShadowCasters& casters, bool around);

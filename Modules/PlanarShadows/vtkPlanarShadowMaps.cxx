@@ -10,10 +10,11 @@
 #include "vtkPlanarSoftFS.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
+#include "vtkShadowCasterDrawing.h"
 #include "vtkShadowCasters.h"
 #include "vtkShadowFrame.h"
+#include "vtkShadowOpenGL.h"
 #include "vtkShadowPlanes.h"
-#include "vtkShadowVTKVersion.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -53,19 +54,10 @@ bool vtkPlanarShadowSettings::operator==(const vtkPlanarShadowSettings& other) c
 }
 
 //------------------------------------------------------------------------------
-bool vtkPlanarShadowMaps::IsStale(const vtkShadowFrame& frame) const
+std::vector<vtkLightSample> vtkPlanarShadowMaps::GetSamples(const vtkShadowLightPart& part,
+  const vtkShadowPlane& plane, const vtkShadowCasters& casters) const
 {
-  return !this->Made || frame.Casters->GetVersion() != this->CasterVersion ||
-         frame.Color != this->Color ||
-         !std::equal(frame.Lights.begin(), frame.Lights.end(), this->Lights.begin(),
-           this->Lights.end(),
-           [](const vtkShadowLight& a, const vtkShadowLight& b) { return a.SameGeometry(b); });
-}
-
-//------------------------------------------------------------------------------
-std::vector<vtkLightSample> vtkPlanarShadowMaps::GetSamples(
-  const vtkShadowLight& light, const vtkShadowPlane& plane, const vtkShadowCasters& casters) const
-{
+  const vtkShadowLight& light = part.Light;
   const glm::dvec3 centre = light.IsDirectional() ? -light.Direction : light.Position;
   std::vector<vtkLightSample> samples = { { centre, glm::dvec3(1.0) } };
   const bool one = this->Current.Technique != Kind::Soft || this->Current.Samples == 1;
@@ -76,7 +68,7 @@ std::vector<vtkLightSample> vtkPlanarShadowMaps::GetSamples(
     if (light.Kind == vtkShadowLight::Shape::Sphere)
     {
       const glm::dvec3 centreWC = centre - casters.GetOrigin();
-      vtkPlanarShadow shadow(light, plane, plane.GetHeight(centreWC) < 0.0 ? -1.0 : 1.0);
+      vtkPlanarShadow shadow(part, plane, plane.GetHeight(centreWC) < 0.0 ? -1.0 : 1.0);
       shadow.Samples = { { centreWC, glm::dvec3(1.0) } };
       shadow.Find(casters, false);
       middle = shadow.GetMiddle();
@@ -92,20 +84,21 @@ std::vector<vtkLightSample> vtkPlanarShadowMaps::GetSamples(
 
 //------------------------------------------------------------------------------
 void vtkPlanarShadowMaps::MakeEntries(
-  vtkShadowFrame& frame, const vtkShadowPlanes& planes, int mostGroups)
+  vtkShadowFrame& frame, const vtkShadowPlanes& planes, int mostGroups, bool keep)
 {
   const vtkShadowCasters& casters = *frame.Casters;
   std::vector<std::vector<Entry>> both; // by light, plane, side: those of groups of casters
   bool divided = false;
-  for (const auto& light : frame.Lights)
+  for (const auto& part : frame.Parts)
   {
+    const vtkShadowLight& light = part.Light;
     for (const auto& plane : planes.Get())
     {
-      const auto samples = this->GetSamples(light, plane, casters);
+      const auto samples = this->GetSamples(part, plane, casters);
       int sides = 0;
       for (const double side : { 1.0, -1.0 })
       {
-        Entry entry{ { light, plane, side } };
+        Entry entry{ { part, plane, side } };
         vtkPlanarShadow& shadow = entry.Shadow;
         const double least = Level * (light.IsDirectional() ? 1.0 : casters.GetSize());
         for (const auto& sample : samples)
@@ -121,9 +114,9 @@ void vtkPlanarShadowMaps::MakeEntries(
         both.emplace_back();
         // A mask of pixels has no window.
         const int most = this->Current.Technique == Kind::Hard ? 1 : mostGroups;
-        for (vtkPlanarShadow& part : shadow.Divide(most))
+        for (vtkPlanarShadow& group : shadow.Divide(most))
         {
-          both.back().push_back({ std::move(part) });
+          both.back().push_back({ std::move(group) });
         }
       }
       divided = divided || sides == 2;
@@ -144,7 +137,7 @@ void vtkPlanarShadowMaps::MakeEntries(
       const bool other = !divided && both[i].front().Shadow.Samples.empty();
       std::vector<Entry>& groups = both[i + (other ? 1 : side)];
       const vtkPlanarShadow& one = groups.front().Shadow;
-      Entry none{ { one.Light, one.Plane, one.Side } };
+      Entry none{ { one.LightPart, one.Plane, one.Side } };
       none.Shadow.Samples = one.Samples;
       none.Shadow.Weight = one.Weight;
       groups.resize(this->Groups, none);
@@ -159,23 +152,15 @@ void vtkPlanarShadowMaps::MakeEntries(
       }
     }
   }
-  // Layers that stay where they are and show the same are kept.
-  if (this->Made && frame.Casters->GetVersion() == this->CasterVersion &&
-      frame.Color == this->Color)
+  for (auto& entry : entries)
   {
-    for (auto& entry : entries)
-    {
-      entry.Drawn = std::any_of(this->Entries.begin(), this->Entries.end(),
-        [&entry](const Entry& old)
-        { return old.Drawn && old.Layer == entry.Layer && old.Shadow.Same(entry.Shadow); });
-    }
+    entry.Drawn =
+      keep && std::any_of(this->Entries.begin(), this->Entries.end(),
+                [&entry](const Entry& old)
+                { return old.Drawn && old.Layer == entry.Layer && old.Shadow.Same(entry.Shadow); });
   }
   this->Entries = std::move(entries);
-  this->Lights = frame.Lights;
   this->Planes = planes.Get();
-  this->CasterVersion = casters.GetVersion();
-  this->Color = frame.Color;
-  this->Made = true;
 }
 
 //------------------------------------------------------------------------------
@@ -271,11 +256,13 @@ void vtkPlanarShadowMaps::UpdateCamera(vtkShadowFrame& frame)
 bool vtkPlanarShadowMaps::Update(vtkShadowFrame& frame, const vtkShadowPlanes& planes,
   bool planesChanged, const vtkPlanarShadowSettings& settings)
 {
-  this->Made = this->Made && settings == this->Current;
+  this->Changes.Update(frame, !(settings == this->Current) || frame.Color != this->Color);
   this->Current = settings;
-  if (planesChanged || this->IsStale(frame))
+  this->Color = frame.Color;
+  const bool keep = !this->Changes.IsAll();
+  if (planesChanged || this->Changes.IsAny())
   {
-    this->MakeEntries(frame, planes, MostGroups);
+    this->MakeEntries(frame, planes, MostGroups, keep);
     this->VCToWC = glm::dmat4(0.0);
   }
   if (!this->Allocate(frame))
@@ -285,7 +272,7 @@ bool vtkPlanarShadowMaps::Update(vtkShadowFrame& frame, const vtkShadowPlanes& p
     {
       return false;
     }
-    this->MakeEntries(frame, planes, 1);
+    this->MakeEntries(frame, planes, 1, keep);
     if (!this->Allocate(frame))
     {
       return false;
@@ -400,17 +387,15 @@ void vtkPlanarShadowMaps::DrawLayer(vtkShadowFrame& frame, const vtkPlanarShadow
 void vtkPlanarShadowMaps::DrawProjected(vtkShadowFrame& frame, const vtkPlanarShadow& shadow,
   const vtkLightSample& sample, const glm::dmat4& WCToClip)
 {
-  static constexpr const char* outputs[] = { "SHADOW_MASK", "SHADOW_SHARE", "SHADOW_SPREAD" };
-  const int kind = static_cast<int>(this->Current.Technique);
-  std::string source = vtkPlanarCasterFS;
-  vtkShaderProgram::Substitute(
-    source, "//VTK::Output::Dec", "#define " + std::string(outputs[kind]) + "\n//VTK::Output::Dec");
+  static constexpr const char* outputs[] = { "#define SHADOW_MASK\n", "#define SHADOW_SHARE\n",
+    "#define SHADOW_SPREAD\n" };
   const glm::dvec4 place = shadow.GetPlace(sample);
   const double height = shadow.GetHeight(place);
   const glm::dvec4 equation = shadow.GetEquation() / height;
   vtkShadowCasterDraw how;
   how.VertexShader = vtkPlanarCasterVS;
-  how.FragmentShader = source.c_str();
+  how.FragmentShader = vtkPlanarCasterFS;
+  how.Definitions = outputs[static_cast<int>(this->Current.Technique)];
   how.SetParameters = [&](vtkShaderProgram* program)
   {
     if (this->Current.Technique == Kind::Soft)
@@ -431,7 +416,7 @@ void vtkPlanarShadowMaps::DrawProjected(vtkShadowFrame& frame, const vtkPlanarSh
     program->SetUniform4f("shadowHeightMC", glm::value_ptr(heightMC));
     program->SetUniform2f("shadowHeightLimits", glm::value_ptr(limits));
   };
-  frame.Casters->Draw(frame.Window, WCToClip * shadow.GetProjection(place), shadow.Casters, how);
+  frame.Drawing->Draw(frame.Window, WCToClip * shadow.GetProjection(place), shadow.Casters, how);
 }
 
 //------------------------------------------------------------------------------
@@ -496,7 +481,7 @@ void vtkPlanarShadowMaps::AddFakeVectors(const vtkPlanarShadow& shadow)
   }
   // A point of the light that moves by U moves the shadow of something of spread s by -s times what
   // U shows as along the ray from the receiver: U + (n.U) (x - L) / H; or U - (n.U) d / H.
-  const vtkShadowLight& light = shadow.Light;
+  const vtkShadowLight& light = shadow.LightPart.Light;
   const glm::dvec4 place = shadow.GetPlace(shadow.Samples.front());
   const double height = shadow.GetHeight(place);
   const glm::dvec2 foot = shadow.Plane.GetPlace(glm::dvec3(place));
@@ -601,5 +586,5 @@ void vtkPlanarShadowMaps::Release(vtkOpenGLRenderWindow* window)
   this->RecordBuffer.Release(window);
   this->Framebuffer.Release(window);
   this->Entries.clear();
-  this->Made = false;
+  this->Changes.Reset();
 }

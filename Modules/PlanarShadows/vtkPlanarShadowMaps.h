@@ -16,6 +16,7 @@
 #define vtkPlanarShadowMaps_h
 
 #include "vtkPlanarShadow.h"                   // For shadows
+#include "vtkShadowChanges.h"                  // For what is kept
 #include "vtkShadowGL.h"                       // For textures
 #include "vtkSoftShadowsPlanarShadowsModule.h" // For export macro
 
@@ -81,10 +82,10 @@ private:
     bool InView = true; // hard alone
   };
 
-  bool IsStale(const vtkShadowFrame& frame) const;
-  void MakeEntries(vtkShadowFrame& frame, const vtkShadowPlanes& planes, int mostGroups);
-  std::vector<vtkLightSample> GetSamples(const vtkShadowLight& light, const vtkShadowPlane& plane,
-    const vtkShadowCasters& casters) const;
+  /** Entries of before that stay where they are and show the same are kept, if `keep`. */
+  void MakeEntries(vtkShadowFrame& frame, const vtkShadowPlanes& planes, int mostGroups, bool keep);
+  std::vector<vtkLightSample> GetSamples(const vtkShadowLightPart& part,
+    const vtkShadowPlane& plane, const vtkShadowCasters& casters) const;
   bool Allocate(vtkShadowFrame& frame);
   void UpdateCamera(vtkShadowFrame& frame);
   void Draw(vtkShadowFrame& frame);
@@ -97,11 +98,9 @@ private:
 
   vtkPlanarShadowSettings Current;
   // What the entries were made from.
-  std::vector<vtkShadowLight> Lights;
+  vtkShadowChanges Changes;
   std::vector<vtkShadowPlane> Planes;
-  unsigned long CasterVersion = 0;
   bool Color = false;
-  bool Made = false;
 
   int Sides = 1;              // 2 where a light reaches through a plane
   int Groups = 1;             // the most of a plane's side

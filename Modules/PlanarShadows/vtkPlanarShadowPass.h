@@ -34,7 +34,6 @@
 
 #include <memory> // For Planes
 
-class vtkPlanarShadowMaps;
 class vtkShadowPlanes;
 
 class VTKSOFTSHADOWSPLANARSHADOWS_EXPORT vtkPlanarShadowPass : public vtkShadowPass
@@ -54,32 +53,18 @@ public:
   int GetNumberOfPlanes();
   ///@}
 
-  std::string GetDebugViews() override;
-
 protected:
   vtkPlanarShadowPass();
   ~vtkPlanarShadowPass() override;
 
+  void PrepareTechnique(vtkShadowTechnique& technique) override;
   void CopySettings(vtkShadowPass* other) override;
-  bool UpdateLightData(vtkShadowFrame& frame) override;
-  std::string GetVisibilityGLSL() override;
-  bool PrefersForward(const vtkShadowFrame& frame) override;
-  void ActivateLightData(vtkShadowFrame& frame) override;
-  void DeactivateLightData(vtkShadowFrame& frame) override;
-  void SetVisibilityParameters(vtkShaderProgram* program) override;
-  double GetMaximumCost() override;
-  void DrawDebugView(vtkShadowFrame& frame, const std::string& view) override;
-  void ReleaseLightData(vtkRenderWindow* window) override;
-  std::vector<std::pair<std::string, std::size_t>> GetLightDataBytes() override;
 
 private:
   vtkPlanarShadowPass(const vtkPlanarShadowPass&) = delete;
   void operator=(const vtkPlanarShadowPass&) = delete;
 
-  int GetResolution(const vtkShadowFrame& frame);
-
-  std::unique_ptr<vtkShadowPlanes> Planes;
-  std::unique_ptr<vtkPlanarShadowMaps> Maps;
+  std::unique_ptr<vtkShadowPlanes> Planes; // the user's
 };
 
 #endif

@@ -1,167 +1,40 @@
+// The pass under the technique's name, and the technique's declaration.
+
 #include "vtkRayTracedShadowPass.h"
 
 #include "vtkObjectFactory.h"
-#include "vtkShadowCasters.h"
-#include "vtkShadowFrame.h"
-#include "vtkShadowRayTracer.h"
-#include "vtkShadowTechnique.h"
-#include "vtkVisibilityBuffer.h"
+#include "vtkRayTracedShadowTechnique.h"
+#include "vtkShadowDeclaration.h"
 
-#include <glm/geometric.hpp>
+vtkShadowPassOfTechniqueMacro(vtkRayTracedShadowPass, "ray-traced");
+vtkShadowTechniqueAutoInit(VTKSOFTSHADOWSRAYTRACING_EXPORT, vtkSoftShadowsRayTracing);
 
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-
-vtkStandardNewMacro(vtkRayTracedShadowPass);
-vtkShadowTechniqueAutoInit(VTKSOFTSHADOWSRAYTRACING_EXPORT, vtkSoftShadowsRayTracing)
-
-  namespace
+namespace
 {
-  /** What a receiver's position can be wrong, relative to its magnitude: see shadowRounding. */
-  constexpr double PositionError = 1.0 / 524288.0;
-
-  vtkShadowTechnique RayTraced()
-  {
-    using Support = vtkShadowShapeSupport;
-    vtkShadowTechnique t;
-    t.Name = "ray-traced";
-    t.Title = "Ray-traced shadows";
-    t.Paper =
-      "Cook, Porter and Carpenter, Distributed ray tracing, SIGGRAPH 1984; Wald et al., Embree, "
-      "SIGGRAPH 2014";
-    t.ClassName = "vtkRayTracedShadowPass";
-    t.New = [] { return static_cast<vtkShadowPass*>(vtkRayTracedShadowPass::New()); };
-    t.LightShapes.fill(Support::Exact);
-    t.Parameters = { { "samples", vtkShadowParameter::Type::Integer, "64", 1, 16384, {}, "rays",
-                       "Rays from each pixel to each light", { "4", "16", "64", "1024" } },
-      { "seed", vtkShadowParameter::Type::Integer, "0", 0, 65535, {}, "",
-        "Another seed gives other rays: how two pictures differ tells their noise", {} } };
-    t.Resources = { "on the CPU: Embree's structures, about 100 bytes a triangle",
-      "on the GPU: receivers 16 bytes, depth 4 bytes, visibility 4 bytes a light (16 textured), "
-      "each a "
-      "pixel" };
-    t.Limits = { "Noise of the order of 1 / samples^0.75 in penumbrae.",
-      "Translucent surfaces receive no shadow." };
-    return t;
-  }
-
-  const vtkShadowTechniqueRegistration registration(RayTraced());
+vtkShadowDeclaration RayTraced()
+{
+  using Support = vtkShadowShapeSupport;
+  vtkShadowDeclaration t;
+  t.Name = "ray-traced";
+  t.Title = "Ray-traced shadows";
+  t.Paper =
+    "Cook, Porter and Carpenter, Distributed ray tracing, SIGGRAPH 1984; Wald et al., Embree, "
+    "SIGGRAPH 2014";
+  t.SetClasses<vtkRayTracedShadowTechnique, vtkRayTracedShadowPass>("vtkRayTracedShadowPass");
+  t.LightShapes.fill(Support::Exact);
+  t.Parameters = { vtkShadowParameter::Integer(
+                     "samples", 64, 1, 16384, "Rays from each pixel to each light")
+                     .In("rays")
+                     .At({ 4, 16, 64, 1024 }),
+    vtkShadowParameter::Integer("seed", 0, 0, 65535,
+      "Another seed gives other rays: how two pictures differ tells their noise") };
+  t.Resources = { "on the CPU: Embree's structures, about 100 bytes a triangle",
+    "on the GPU: receivers 16 bytes, depth 4 bytes, visibility 4 bytes a light (16 textured), "
+    "each a pixel" };
+  t.Limits = { "Noise of the order of 1 / samples^0.75 in penumbrae.",
+    "Translucent surfaces receive no shadow." };
+  return t;
 }
 
-//------------------------------------------------------------------------------
-vtkRayTracedShadowPass::vtkRayTracedShadowPass()
-{
-  this->SetTechnique("ray-traced");
-}
-
-//------------------------------------------------------------------------------
-vtkRayTracedShadowPass::~vtkRayTracedShadowPass()
-{
-  this->Detach();
-}
-
-//------------------------------------------------------------------------------
-bool vtkRayTracedShadowPass::UpdateLightData(vtkShadowFrame& frame)
-{
-  if (!this->Tracer)
-  {
-    this->Tracer = std::make_unique<vtkShadowRayTracer>();
-    this->CasterVersion = 0;
-  }
-  if (!this->Tracer->GetError().empty())
-  {
-    this->WarnOnce(this->Tracer->GetError() + "; drawn without shadows.");
-    return false;
-  }
-  frame.Counts["meshesBuilt"] = 0;
-  if (this->CasterVersion != frame.Casters->GetVersion())
-  {
-    frame.Counts["meshesBuilt"] = this->Tracer->Update(*frame.Casters);
-    this->CasterVersion = frame.Casters->GetVersion();
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkRayTracedShadowPass::FillVisibility(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer)
-{
-  const auto start = std::chrono::steady_clock::now();
-  const auto texels = buffer.ReadReceivers(frame.Window);
-  std::vector<vtkShadowRayTracer::Receiver> receivers;
-  receivers.reserve(texels.size());
-  const glm::dmat3 turn(frame.VCToWC);
-  std::size_t notFinite = 0;
-  for (std::size_t i = 0; i < texels.size(); ++i)
-  {
-    notFinite += texels[i].w != 0.0f && !vtkShadowReceiver::IsOne(texels[i]) ? 1 : 0;
-    if (vtkShadowReceiver::IsOne(texels[i]))
-    {
-      const glm::dvec3 positionVC(texels[i]);
-      const glm::dvec3 position(frame.VCToWC * glm::dvec4(positionVC, 1.0));
-      const vtkShadowReceiver receiver = vtkShadowReceiver::Unpack(texels[i].w);
-      const double rounding = PositionError * (glm::length(positionVC) + glm::length(position));
-      receivers.push_back({ position, turn * receiver.Normal, rounding,
-        std::max(0.0, receiver.Rounding - rounding), static_cast<int>(i), texels[i].w > 0.0f });
-    }
-  }
-  frame.Counts["receiversNotFinite"] = static_cast<double>(notFinite);
-  const glm::dmat4 clipToWC = glm::inverse(frame.VCToClip * frame.GetWCToVC());
-  this->Tracer->FindPositions(receivers,
-    [&](int pixel)
-    {
-      // Through the pixel's centre, from the near plane to the far one.
-      const glm::dvec2 place =
-        2.0 * glm::dvec2(pixel % buffer.GetWidth() + 0.5, pixel / buffer.GetWidth() + 0.5) /
-          glm::dvec2(buffer.GetWidth(), buffer.GetHeight()) -
-        1.0;
-      const glm::dvec4 from = clipToWC * glm::dvec4(place, -1.0, 1.0);
-      const glm::dvec4 to = clipToWC * glm::dvec4(place, 1.0, 1.0);
-      const glm::dvec3 front = glm::dvec3(from) / from.w;
-      return vtkShadowRayTracer::Ray(front, glm::normalize(glm::dvec3(to) / to.w - front));
-    });
-  const int samples = this->GetInteger("samples");
-  const int seed = this->GetInteger("seed");
-  const int components = buffer.GetQuantity().empty() ? buffer.GetComponents() : 1;
-  double rays = 0.0;
-  for (std::size_t i = 0; i < frame.Lights.size(); ++i)
-  {
-    std::vector<float> values(components * texels.size(), 1.0f);
-    if (!buffer.GetQuantity().empty())
-    {
-      const double cost = frame.Lights[i].IsPoint() ? 1.0 : samples;
-      for (const auto& receiver : receivers)
-      {
-        values[receiver.Pixel] =
-          vtkShadowRayTracer::NeedsRays(frame.Lights[i], frame.Casters->GetOrigin(), receiver)
-            ? static_cast<float>(cost)
-            : 0.0f;
-      }
-    }
-    else
-    {
-      rays += this->Tracer->Trace(
-        frame.Lights[i], frame.Casters->GetOrigin(), receivers, samples, seed, components, values);
-    }
-    buffer.GetTarget().UploadLayer(frame.Window, static_cast<int>(i), values.data());
-  }
-  if (buffer.GetQuantity().empty())
-  {
-    frame.Counts["rays"] = rays;
-    frame.Counts["traceMilliseconds"] =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  }
-}
-
-//------------------------------------------------------------------------------
-double vtkRayTracedShadowPass::GetMaximumCost()
-{
-  return this->GetInteger("samples");
-}
-
-//------------------------------------------------------------------------------
-void vtkRayTracedShadowPass::ReleaseLightData(vtkRenderWindow*)
-{
-  this->Tracer.reset();
-  this->CasterVersion = 0;
+const vtkShadowTechniqueRegistration registration(RayTraced());
 }

@@ -17,8 +17,6 @@
 #include "vtkShadowPass.h"
 #include "vtkSoftShadowsRayTracingModule.h" // For export macro
 
-class vtkShadowRayTracer;
-
 class VTKSOFTSHADOWSRAYTRACING_EXPORT vtkRayTracedShadowPass : public vtkShadowPass
 {
 public:
@@ -29,17 +27,9 @@ protected:
   vtkRayTracedShadowPass();
   ~vtkRayTracedShadowPass() override;
 
-  bool UpdateLightData(vtkShadowFrame& frame) override;
-  void FillVisibility(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer) override;
-  double GetMaximumCost() override;
-  void ReleaseLightData(vtkRenderWindow* window) override;
-
 private:
   vtkRayTracedShadowPass(const vtkRayTracedShadowPass&) = delete;
   void operator=(const vtkRayTracedShadowPass&) = delete;
-
-  std::unique_ptr<vtkShadowRayTracer> Tracer;
-  unsigned long CasterVersion = 0;
 };
 
 #endif

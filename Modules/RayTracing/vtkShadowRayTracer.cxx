@@ -400,12 +400,13 @@ void vtkShadowRayTracer::FindPositions(
 }
 
 //------------------------------------------------------------------------------
-double vtkShadowRayTracer::Trace(const vtkShadowLight& light, const glm::dvec3& origin,
+double vtkShadowRayTracer::Trace(const vtkShadowLightPart& part, const glm::dvec3& origin,
   const std::vector<Receiver>& receivers, int samples, int seed, int components,
   std::vector<float>& visibility) const
 {
+  const vtkShadowLight& light = part.Light;
   const Internals& my = *this->Internal;
-  RTCScene scene = my.Scenes.lower_bound(light.LeastOpacity)->second; // that of 1 is always there
+  RTCScene scene = my.Scenes.lower_bound(part.LeastOpacity)->second; // that of 1 is always there
   const Patterns patterns(light, light.IsPoint() ? 1 : samples, seed);
   const glm::dvec3 place = light.IsDirectional() ? -light.Direction : light.Position - origin;
   std::atomic<std::size_t> traced{ 0 };

@@ -13,6 +13,7 @@
 
 class vtkShadowCasters;
 struct vtkShadowLight;
+struct vtkShadowLightPart;
 
 class vtkShadowRayTracer
 {
@@ -56,7 +57,7 @@ public:
    * rays each, on all cores. Deterministic: patterns depend on pixels and the seed alone. Gives the
    * rays traced.
    */
-  double Trace(const vtkShadowLight& light, const glm::dvec3& origin,
+  double Trace(const vtkShadowLightPart& part, const glm::dvec3& origin,
     const std::vector<Receiver>& receivers, int samples, int seed, int components,
     std::vector<float>& visibility) const;
 

@@ -14,22 +14,18 @@
 #ifndef vtkAccumulatedShadowMapPass_h
 #define vtkAccumulatedShadowMapPass_h
 
-#include "vtkDepthMapShadowPass.h"
+#include "vtkShadowPass.h"
+#include "vtkSoftShadowsShadowMapsModule.h" // For export macro
 
-class VTKSOFTSHADOWSSHADOWMAPS_EXPORT vtkAccumulatedShadowMapPass : public vtkDepthMapShadowPass
+class VTKSOFTSHADOWSSHADOWMAPS_EXPORT vtkAccumulatedShadowMapPass : public vtkShadowPass
 {
 public:
   static vtkAccumulatedShadowMapPass* New();
-  vtkTypeMacro(vtkAccumulatedShadowMapPass, vtkDepthMapShadowPass);
+  vtkTypeMacro(vtkAccumulatedShadowMapPass, vtkShadowPass);
 
 protected:
   vtkAccumulatedShadowMapPass();
-  ~vtkAccumulatedShadowMapPass() override = default;
-
-  bool UpdateLightData(vtkShadowFrame& frame) override;
-  bool CanEvaluateForward() override;
-  bool PrefersForward(const vtkShadowFrame&) override { return false; }
-  void FillVisibility(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer) override;
+  ~vtkAccumulatedShadowMapPass() override;
 
 private:
   vtkAccumulatedShadowMapPass(const vtkAccumulatedShadowMapPass&) = delete;

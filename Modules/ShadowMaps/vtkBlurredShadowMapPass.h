@@ -9,44 +9,29 @@
  * from another surface (parameter blur=aware; cross bilateral). blur=plain is the thesis's: points a
  * pixel apart, receivers or not, with its halo along silhouettes.
  *
- * Stages: 1. as vtkFilteredShadowMapPass; 2. receivers; 3. the mask; 4. the blur along x, 5. along y.
- * Textures: see vtkFilteredShadowMapPass; masks, two of R32F, viewport size.
+ * Stages: 1. as vtkFilteredShadowMapTechnique; 2. receivers; 3. the mask; 4. the blur along x, 5. along y.
+ * Textures: see vtkFilteredShadowMapTechnique; masks, two of R32F, viewport size.
  */
 
 #ifndef vtkBlurredShadowMapPass_h
 #define vtkBlurredShadowMapPass_h
 
-#include "vtkPercentageCloserFilteringPass.h"
+#include "vtkShadowPass.h"
+#include "vtkSoftShadowsShadowMapsModule.h" // For export macro
 
-class vtkShadowTexture;
-
-class VTKSOFTSHADOWSSHADOWMAPS_EXPORT vtkBlurredShadowMapPass
-  : public vtkPercentageCloserFilteringPass
+class VTKSOFTSHADOWSSHADOWMAPS_EXPORT vtkBlurredShadowMapPass : public vtkShadowPass
 {
 public:
   static vtkBlurredShadowMapPass* New();
-  vtkTypeMacro(vtkBlurredShadowMapPass, vtkPercentageCloserFilteringPass);
+  vtkTypeMacro(vtkBlurredShadowMapPass, vtkShadowPass);
 
 protected:
   vtkBlurredShadowMapPass();
   ~vtkBlurredShadowMapPass() override;
 
-  bool UpdateLightData(vtkShadowFrame& frame) override;
-  void UpdatePatterns(vtkShadowFrame& frame) override;
-  std::string GetKernelDefinitions() override;
-  bool CanEvaluateForward() override { return this->Hard; }
-  void FillVisibility(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer) override;
-  void ReleaseLightData(vtkRenderWindow* window) override;
-  std::vector<std::pair<std::string, std::size_t>> GetLightDataBytes() override;
-
 private:
   vtkBlurredShadowMapPass(const vtkBlurredShadowMapPass&) = delete;
   void operator=(const vtkBlurredShadowMapPass&) = delete;
-
-  void Blur(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int light, vtkShadowTexture& mask,
-    const float step[2]);
-
-  std::unique_ptr<vtkShadowTexture> Masks[2];
 };
 
 #endif

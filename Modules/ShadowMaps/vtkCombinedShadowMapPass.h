@@ -11,22 +11,18 @@
 #ifndef vtkCombinedShadowMapPass_h
 #define vtkCombinedShadowMapPass_h
 
-#include "vtkJitteredShadowMapPass.h"
+#include "vtkShadowPass.h"
+#include "vtkSoftShadowsShadowMapsModule.h" // For export macro
 
-class VTKSOFTSHADOWSSHADOWMAPS_EXPORT vtkCombinedShadowMapPass : public vtkJitteredShadowMapPass
+class VTKSOFTSHADOWSSHADOWMAPS_EXPORT vtkCombinedShadowMapPass : public vtkShadowPass
 {
 public:
   static vtkCombinedShadowMapPass* New();
-  vtkTypeMacro(vtkCombinedShadowMapPass, vtkJitteredShadowMapPass);
-
-  std::string GetDebugViews() override;
+  vtkTypeMacro(vtkCombinedShadowMapPass, vtkShadowPass);
 
 protected:
   vtkCombinedShadowMapPass();
-  ~vtkCombinedShadowMapPass() override = default;
-
-  void UpdatePatterns(vtkShadowFrame& frame) override;
-  std::string GetFilterGLSL() override;
+  ~vtkCombinedShadowMapPass() override;
 
 private:
   vtkCombinedShadowMapPass(const vtkCombinedShadowMapPass&) = delete;

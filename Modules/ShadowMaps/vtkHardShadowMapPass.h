@@ -13,19 +13,18 @@
 #ifndef vtkHardShadowMapPass_h
 #define vtkHardShadowMapPass_h
 
-#include "vtkDepthMapShadowPass.h"
+#include "vtkShadowPass.h"
+#include "vtkSoftShadowsShadowMapsModule.h" // For export macro
 
-class VTKSOFTSHADOWSSHADOWMAPS_EXPORT vtkHardShadowMapPass : public vtkDepthMapShadowPass
+class VTKSOFTSHADOWSSHADOWMAPS_EXPORT vtkHardShadowMapPass : public vtkShadowPass
 {
 public:
   static vtkHardShadowMapPass* New();
-  vtkTypeMacro(vtkHardShadowMapPass, vtkDepthMapShadowPass);
+  vtkTypeMacro(vtkHardShadowMapPass, vtkShadowPass);
 
 protected:
   vtkHardShadowMapPass();
-  ~vtkHardShadowMapPass() override = default;
-
-  bool UpdateLightData(vtkShadowFrame& frame) override;
+  ~vtkHardShadowMapPass() override;
 
 private:
   vtkHardShadowMapPass(const vtkHardShadowMapPass&) = delete;

@@ -8,7 +8,7 @@
  * for each pixel of a tile, two points a texel. Those of the outer ring come first: only where they
  * disagree are the others looked up. The kernel's width is that of map-pcf.
  *
- * Textures: see vtkFilteredShadowMapPass; jitter, RGBA32F buffer, 16 x 16 texels x samples (half of
+ * Textures: see vtkFilteredShadowMapTechnique; jitter, RGBA32F buffer, 16 x 16 texels x samples (half of
  * them for either form of light): a 3D texture by its layout, a buffer since that took a fifth
  * less time on llvmpipe.
  */
@@ -16,36 +16,22 @@
 #ifndef vtkJitteredShadowMapPass_h
 #define vtkJitteredShadowMapPass_h
 
-#include "vtkFilteredShadowMapPass.h"
+#include "vtkShadowPass.h"
+#include "vtkSoftShadowsShadowMapsModule.h" // For export macro
 
-class vtkShadowTexture;
-
-class VTKSOFTSHADOWSSHADOWMAPS_EXPORT vtkJitteredShadowMapPass : public vtkFilteredShadowMapPass
+class VTKSOFTSHADOWSSHADOWMAPS_EXPORT vtkJitteredShadowMapPass : public vtkShadowPass
 {
 public:
   static vtkJitteredShadowMapPass* New();
-  vtkTypeMacro(vtkJitteredShadowMapPass, vtkFilteredShadowMapPass);
+  vtkTypeMacro(vtkJitteredShadowMapPass, vtkShadowPass);
 
 protected:
   vtkJitteredShadowMapPass();
   ~vtkJitteredShadowMapPass() override;
 
-  void UpdatePatterns(vtkShadowFrame& frame) override;
-  std::string GetFilterGLSL() override;
-  double GetMaximumCost() override;
-  void ReleaseLightData(vtkRenderWindow* window) override;
-  std::vector<std::pair<std::string, std::size_t>> GetLightDataBytes() override;
-  void ActivateLightData(vtkShadowFrame& frame) override;
-  void DeactivateLightData(vtkShadowFrame& frame) override;
-  void SetVisibilityParameters(vtkShaderProgram* program) override;
-
 private:
   vtkJitteredShadowMapPass(const vtkJitteredShadowMapPass&) = delete;
   void operator=(const vtkJitteredShadowMapPass&) = delete;
-
-  std::unique_ptr<vtkShadowTexture> Jitter;
-  int Samples = 0;
-  int Estimates = 0; // of the outer ring
 };
 
 #endif

@@ -7,27 +7,24 @@
  * that lies in front of the receiver by an assumed share of the casters' extent (parameter "width"):
  * penumbrae are as wide everywhere.
  *
- * Stages and textures: see vtkFilteredShadowMapPass.
+ * Stages and textures: see vtkFilteredShadowMapTechnique.
  */
 
 #ifndef vtkPercentageCloserFilteringPass_h
 #define vtkPercentageCloserFilteringPass_h
 
-#include "vtkFilteredShadowMapPass.h"
+#include "vtkShadowPass.h"
+#include "vtkSoftShadowsShadowMapsModule.h" // For export macro
 
-class VTKSOFTSHADOWSSHADOWMAPS_EXPORT vtkPercentageCloserFilteringPass
-  : public vtkFilteredShadowMapPass
+class VTKSOFTSHADOWSSHADOWMAPS_EXPORT vtkPercentageCloserFilteringPass : public vtkShadowPass
 {
 public:
   static vtkPercentageCloserFilteringPass* New();
-  vtkTypeMacro(vtkPercentageCloserFilteringPass, vtkFilteredShadowMapPass);
+  vtkTypeMacro(vtkPercentageCloserFilteringPass, vtkShadowPass);
 
 protected:
   vtkPercentageCloserFilteringPass();
-  ~vtkPercentageCloserFilteringPass() override = default;
-
-  void UpdatePatterns(vtkShadowFrame& frame) override;
-  std::string GetFilterGLSL() override;
+  ~vtkPercentageCloserFilteringPass() override;
 
 private:
   vtkPercentageCloserFilteringPass(const vtkPercentageCloserFilteringPass&) = delete;

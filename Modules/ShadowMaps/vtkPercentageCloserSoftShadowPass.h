@@ -7,29 +7,24 @@
  * nearest depth that the map has there; 2. the penumbra's width from the mean blocker; 3. a mean of
  * compares over the light's footprint past that blocker, in the light's own form and two axes.
  *
- * Stages and textures: see vtkFilteredShadowMapPass.
+ * Stages and textures: see vtkFilteredShadowMapTechnique.
  */
 
 #ifndef vtkPercentageCloserSoftShadowPass_h
 #define vtkPercentageCloserSoftShadowPass_h
 
-#include "vtkFilteredShadowMapPass.h"
+#include "vtkShadowPass.h"
+#include "vtkSoftShadowsShadowMapsModule.h" // For export macro
 
-class VTKSOFTSHADOWSSHADOWMAPS_EXPORT vtkPercentageCloserSoftShadowPass
-  : public vtkFilteredShadowMapPass
+class VTKSOFTSHADOWSSHADOWMAPS_EXPORT vtkPercentageCloserSoftShadowPass : public vtkShadowPass
 {
 public:
   static vtkPercentageCloserSoftShadowPass* New();
-  vtkTypeMacro(vtkPercentageCloserSoftShadowPass, vtkFilteredShadowMapPass);
-
-  std::string GetDebugViews() override;
+  vtkTypeMacro(vtkPercentageCloserSoftShadowPass, vtkShadowPass);
 
 protected:
   vtkPercentageCloserSoftShadowPass();
-  ~vtkPercentageCloserSoftShadowPass() override = default;
-
-  void UpdatePatterns(vtkShadowFrame& frame) override;
-  std::string GetFilterGLSL() override;
+  ~vtkPercentageCloserSoftShadowPass() override;
 
 private:
   vtkPercentageCloserSoftShadowPass(const vtkPercentageCloserSoftShadowPass&) = delete;

@@ -1,66 +1,78 @@
 // The declarations of the techniques that soften one map a light.
 
 #include "vtkBlurredShadowMapPass.h"
+#include "vtkBlurredShadowMapTechnique.h"
 #include "vtkCombinedShadowMapPass.h"
+#include "vtkCombinedShadowMapTechnique.h"
 #include "vtkJitteredShadowMapPass.h"
+#include "vtkJitteredShadowMapTechnique.h"
 #include "vtkPercentageCloserFilteringPass.h"
+#include "vtkPercentageCloserFilteringTechnique.h"
 #include "vtkPercentageCloserSoftShadowPass.h"
+#include "vtkPercentageCloserSoftShadowTechnique.h"
 #include "vtkShadowMapParameters.h"
-#include "vtkShadowTechnique.h"
 
 namespace
 {
 using namespace vtkShadowMapParameters;
 using Support = vtkShadowShapeSupport;
-using Type = vtkShadowParameter::Type;
 
 vtkShadowParameter Skipping()
 {
-  return { "skipping", Type::Boolean, "on", 0, 0, {}, "",
+  return vtkShadowParameter::Boolean("skipping", true,
     "Leave out look-ups where the depth pyramid tells that a receiver is surely lit or dark; the "
-    "picture is the same without",
-    {} };
+    "picture is the same without");
 }
 
 vtkShadowParameter Width()
 {
-  return { "width", Type::Real, "0.16", 0, 4, {}, "of the casters' extent",
+  return vtkShadowParameter::Real("width", 0.16, 0, 4,
     "Assumed distance from blocker to receiver, as a share of the diameter of a sphere around the "
-    "casters: penumbrae are as wide everywhere as that makes them",
-    {} };
+    "casters: penumbrae are as wide everywhere as that makes them")
+    .In("of the casters' extent");
 }
 
-vtkShadowParameter Search(const char* value)
+vtkShadowParameter Search(int value)
 {
-  return { "search", Type::Integer, value, 1, 256, {}, "", "Points at which blockers are searched",
-    { "9", "16", value, "64" } };
+  return vtkShadowParameter::Integer(
+    "search", value, 1, 256, "Points at which blockers are searched")
+    .At({ 9, 16, static_cast<double>(value), 64 });
 }
 
-vtkShadowParameter Samples(const char* value, std::vector<std::string> presets)
+vtkShadowParameter Samples(int value, const std::vector<double>& presets)
 {
-  return { "samples", Type::Integer, value, 1, 1024, {}, "", "Compares of a receiver in a penumbra",
-    std::move(presets) };
+  return vtkShadowParameter::Integer(
+    "samples", value, 1, 1024, "Compares of a receiver in a penumbra")
+    .At(presets);
 }
 
-vtkShadowParameter JitteredSamples(const char* value, std::vector<std::string> presets)
+vtkShadowParameter JitteredSamples(int value, const std::vector<double>& presets)
 {
-  return { "samples", Type::Integer, value, 4, 256, {}, "",
+  return vtkShadowParameter::Integer("samples", value, 4, 256,
     "Compares of a receiver in a penumbra, rounded up to whole rings; those of the outer ring "
-    "decide whether it is in one",
-    std::move(presets) };
+    "decide whether it is in one")
+    .At(presets);
 }
 
-vtkShadowTechnique Make(const char* name, const char* title, const char* className)
+template <typename Technique, typename Pass>
+vtkShadowDeclaration Make(
+  const char* name, const char* title, const char* className, bool searches = false)
 {
-  vtkShadowTechnique t;
+  vtkShadowDeclaration t;
   t.Name = name;
   t.Title = title;
-  t.ClassName = className;
+  t.SetClasses<Technique, Pass>(className);
+  t.Traits.Forward = true;
+  t.DebugViews = { "map", "penumbra-width" };
+  if (searches)
+  {
+    t.DebugViews.emplace_back("blocker-depth");
+  }
   t.LightShapes = { Support::Exact, Support::Approximate, Support::Approximate,
     Support::Approximate, Support::Approximate, Support::Approximate };
   // Midpoints are nearer to the silhouettes, which make the penumbrae, than lit sides are, and looking
   // around finds less of the receiver itself.
-  t.Parameters = { Resolution(), Filter("bilinear"), Midpoint("on"), Skipping() };
+  t.Parameters = { Resolution(), Filter("bilinear"), Midpoint(true), Skipping() };
   t.Resources = {
     "depth map, 4 bytes a texel, resolution^2 each light (up to six where the light is "
     "among the casters); its pyramid, about 3 bytes a texel where resolution is a "
@@ -82,29 +94,29 @@ constexpr const char* Constant =
 constexpr const char* OneBlocker =
   "Blockers at several depths over a receiver count as one in their middle.";
 
-vtkShadowTechnique Filtering()
+vtkShadowDeclaration Filtering()
 {
-  auto t = Make("map-pcf", "Percentage-closer filtering", "vtkPercentageCloserFilteringPass");
+  auto t = Make<vtkPercentageCloserFilteringTechnique, vtkPercentageCloserFilteringPass>(
+    "map-pcf", "Percentage-closer filtering", "vtkPercentageCloserFilteringPass");
   t.Paper =
     "Reeves, Salesin and Cook, Rendering antialiased shadows with depth maps, SIGGRAPH 1987; "
     "Zapotocky, Soft shadows on GPU, 2007, section 3.2";
-  t.New = [] { return static_cast<vtkShadowPass*>(vtkPercentageCloserFilteringPass::New()); };
-  t.Parameters.push_back({ "kernel", Type::Integer, "7", 1, 31, {}, "",
-    "Compares along either side of the kernel", { "3", "5", "7", "15" } });
+  t.Parameters.push_back(
+    vtkShadowParameter::Integer("kernel", 7, 1, 31, "Compares along either side of the kernel")
+      .At({ 3, 5, 7, 15 }));
   t.Parameters.push_back(Width());
   t.Limits.insert(t.Limits.end(), { Constant });
   return t;
 }
 
-vtkShadowTechnique Blurred()
+vtkShadowDeclaration Blurred()
 {
-  auto t = Make("map-blur", "Blurred shadow mask", "vtkBlurredShadowMapPass");
+  auto t = Make<vtkBlurredShadowMapTechnique, vtkBlurredShadowMapPass>(
+    "map-blur", "Blurred shadow mask", "vtkBlurredShadowMapPass");
   t.Paper = "Shastry, Soft-edged shadows, 2005; Zapotocky, Soft shadows on GPU, 2007, section 3.3";
-  t.New = [] { return static_cast<vtkShadowPass*>(vtkBlurredShadowMapPass::New()); };
-  t.Parameters.push_back({ "blur", Type::Choice, "aware", 0, 0, { "aware", "plain" }, "",
+  t.Parameters.push_back(vtkShadowParameter::Choice("blur", "aware", { "aware", "plain" },
     "Aware of depth and normal, as wide as the light's footprint; or plain, 15 pixels wide, with "
-    "the thesis's halo",
-    {} });
+    "the thesis's halo"));
   t.Parameters.push_back(Width());
   t.Resources.back() =
     "receivers 16 bytes, depth 4 bytes, visibility 4 bytes a light, two masks of 4 "
@@ -116,13 +128,13 @@ vtkShadowTechnique Blurred()
   return t;
 }
 
-vtkShadowTechnique Jittered()
+vtkShadowDeclaration Jittered()
 {
-  auto t = Make("map-jitter", "Jittered filtering with branching", "vtkJitteredShadowMapPass");
+  auto t = Make<vtkJitteredShadowMapTechnique, vtkJitteredShadowMapPass>(
+    "map-jitter", "Jittered filtering with branching", "vtkJitteredShadowMapPass");
   t.Paper = "Uralsky, Efficient soft-edged shadows using pixel shader branching, GPU Gems 2, 2005, "
             "chapter 17; Zapotocky, Soft shadows on GPU, 2007, section 3.4";
-  t.New = [] { return static_cast<vtkShadowPass*>(vtkJitteredShadowMapPass::New()); };
-  t.Parameters.push_back(JitteredSamples("64", { "16", "32", "64", "256" }));
+  t.Parameters.push_back(JitteredSamples(64, { 16, 32, 64, 256 }));
   t.Parameters.push_back(Width());
   t.Resources.push_back("jittered points, 16 bytes, 256 x samples");
   t.Limits.insert(t.Limits.end(),
@@ -130,26 +142,25 @@ vtkShadowTechnique Jittered()
   return t;
 }
 
-vtkShadowTechnique SoftShadows()
+vtkShadowDeclaration SoftShadows()
 {
-  auto t = Make("map-pcss", "Percentage-closer soft shadows", "vtkPercentageCloserSoftShadowPass");
+  auto t = Make<vtkPercentageCloserSoftShadowTechnique, vtkPercentageCloserSoftShadowPass>(
+    "map-pcss", "Percentage-closer soft shadows", "vtkPercentageCloserSoftShadowPass", true);
   t.Paper = "Fernando, Percentage-closer soft shadows, SIGGRAPH 2005 sketches; Zapotocky, Soft "
             "shadows on GPU, 2007, section 3.5";
-  t.New = [] { return static_cast<vtkShadowPass*>(vtkPercentageCloserSoftShadowPass::New()); };
-  t.Parameters.push_back(Search("25"));
-  t.Parameters.push_back(Samples("64", { "16", "32", "64", "256" }));
+  t.Parameters.push_back(Search(25));
+  t.Parameters.push_back(Samples(64, { 16, 32, 64, 256 }));
   t.Limits.insert(t.Limits.end(), { OneBlocker });
   return t;
 }
 
-vtkShadowTechnique Combined()
+vtkShadowDeclaration Combined()
 {
-  auto t = Make(
-    "map-combined", "Combined: blocker search and jittered filtering", "vtkCombinedShadowMapPass");
+  auto t = Make<vtkCombinedShadowMapTechnique, vtkCombinedShadowMapPass>("map-combined",
+    "Combined: blocker search and jittered filtering", "vtkCombinedShadowMapPass", true);
   t.Paper = "Zapotocky, Soft shadows on GPU, 2007, section 4.4.3";
-  t.New = [] { return static_cast<vtkShadowPass*>(vtkCombinedShadowMapPass::New()); };
-  t.Parameters.push_back(Search("16"));
-  t.Parameters.push_back(JitteredSamples("32", { "16", "32", "32", "256" }));
+  t.Parameters.push_back(Search(16));
+  t.Parameters.push_back(JitteredSamples(32, { 16, 32, 32, 256 }));
   t.Resources.push_back("jittered points, 16 bytes, 256 x samples");
   t.Limits.insert(t.Limits.end(),
     { OneBlocker, "Noise instead of steps; a thin shadow that the outer ring misses is missed." });

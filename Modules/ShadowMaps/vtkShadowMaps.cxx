@@ -3,12 +3,13 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
+#include "vtkShadowCasterDrawing.h"
 #include "vtkShadowCasters.h"
 #include "vtkShadowFrame.h"
 #include "vtkShadowMapMidpointFS.h"
 #include "vtkShadowMapPeelFS.h"
 #include "vtkShadowMapViewsFS.h"
-#include "vtkShadowVTKVersion.h"
+#include "vtkShadowOpenGL.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -19,8 +20,6 @@
 
 namespace
 {
-constexpr std::size_t MaximumLights = 16; // of vtkShadowPass
-
 /** Rounding of a 32-bit depth in the rasterizer, as a share of the map's depth range. */
 constexpr double DepthRounding = 1.0 / 1048576.0;
 
@@ -52,15 +51,15 @@ bool vtkShadowMapSettings::operator==(const vtkShadowMapSettings& other) const
 
 //------------------------------------------------------------------------------
 std::vector<vtkShadowMaps::View> vtkShadowMaps::MakeViews(
-  vtkShadowFrame& frame, int index, LightState& state) const
+  vtkShadowFrame& frame, int index, PartState& state) const
 {
-  const vtkShadowLight& light = frame.Lights[index];
+  const vtkShadowLightPart& part = frame.Parts[index];
   vtkLightFrusta::Options options;
   options.Border = BorderTexels / this->Current.Resolution;
   options.Texel = 1.0 / this->Current.Resolution;
   options.Neighbours = this->Current.Neighbours;
   options.Groups = this->Current.Samples == 1 ? MostGroups : MostGroupsOfSample;
-  const vtkLightFrusta frusta(light, *frame.Casters, options);
+  const vtkLightFrusta frusta(part, *frame.Casters, options);
   state.Casters = frusta.GetCasters();
   state.Extent = frusta.GetExtent();
   const auto& casters = state.Casters;
@@ -70,7 +69,7 @@ std::vector<vtkShadowMaps::View> vtkShadowMaps::MakeViews(
     return views;
   }
   // A sphere's samples lie on the disk that faces the casters' middle.
-  const auto places = light.GetPlaces(
+  const auto places = part.Light.GetPlaces(
     this->Current.Samples, frame.Casters->GetMiddle(casters) + frame.Casters->GetOrigin());
   for (const auto& place : places)
   {
@@ -87,38 +86,35 @@ std::vector<vtkShadowMaps::View> vtkShadowMaps::MakeViews(
 //------------------------------------------------------------------------------
 bool vtkShadowMaps::Update(vtkShadowFrame& frame, const vtkShadowMapSettings& settings)
 {
-  const bool all = !(settings == this->Current) || !this->Maps.GetHandle() ||
-                   frame.Casters->GetVersion() != this->CasterVersion ||
-                   this->Lights.size() != frame.Lights.size();
+  this->Changes.Update(frame, !(settings == this->Current) || !this->Maps.GetHandle());
+  const bool all = this->Changes.IsAll();
   this->Current = settings;
   this->ReleaseUnused(frame.Window);
-  this->CasterVersion = frame.Casters->GetVersion();
-  const bool receiversMoved = frame.Casters->GetReceiverVersion() != this->ReceiverVersion;
-  this->ReceiverVersion = frame.Casters->GetReceiverVersion();
 
   // Views of the lights that changed; the others keep theirs, and their layers if none shifts.
   std::vector<View> views;
-  std::vector<LightState> lights;
+  std::vector<PartState> parts;
   std::vector<bool> changed;
-  for (std::size_t i = 0; i < frame.Lights.size(); ++i)
+  for (std::size_t i = 0; i < frame.Parts.size(); ++i)
   {
-    LightState state{ frame.Lights[i], static_cast<int>(views.size()), 0, {} };
-    bool same = !all && this->Lights[i].Light.SameGeometry(state.Light);
-    const auto old = !all ? this->Views.begin() + this->Lights[i].First : this->Views.end();
-    if (same && !receiversMoved)
+    PartState state;
+    state.First = static_cast<int>(views.size());
+    bool same = this->Changes.IsSame(static_cast<int>(i));
+    const auto old = !all ? this->Views.begin() + this->Parts[i].First : this->Views.end();
+    if (same && !this->Changes.HaveReceiversMoved())
     {
-      views.insert(views.end(), old, old + this->Lights[i].Count);
-      state.Casters = this->Lights[i].Casters;
-      state.Extent = this->Lights[i].Extent;
-      state.Exceeded = this->Lights[i].Exceeded;
+      views.insert(views.end(), old, old + this->Parts[i].Count);
+      state.Casters = this->Parts[i].Casters;
+      state.Extent = this->Parts[i].Extent;
+      state.Exceeded = this->Parts[i].Exceeded;
     }
     else
     {
       const auto made = this->MakeViews(frame, static_cast<int>(i), state);
       views.insert(views.end(), made.begin(), made.end());
       // Receivers matter only where they change what the frusta hug.
-      same = same && static_cast<int>(made.size()) == this->Lights[i].Count &&
-             state.Casters == this->Lights[i].Casters &&
+      same = same && static_cast<int>(made.size()) == this->Parts[i].Count &&
+             state.Casters == this->Parts[i].Casters &&
              std::equal(made.begin(), made.end(), old,
                [](const View& a, const View& b) {
                  return a.Frustum.WCToClip == b.Frustum.WCToClip &&
@@ -126,11 +122,11 @@ bool vtkShadowMaps::Update(vtkShadowFrame& frame, const vtkShadowMapSettings& se
                });
     }
     state.Count = static_cast<int>(views.size()) - state.First;
-    changed.push_back(!same || state.First != this->Lights[i].First);
-    lights.push_back(std::move(state));
+    changed.push_back(!same || state.First != this->Parts[i].First);
+    parts.push_back(std::move(state));
   }
   this->Views = std::move(views);
-  this->Lights = std::move(lights);
+  this->Parts = std::move(parts);
   frame.Counts["mapsDrawn"] = 0;
   frame.Counts["mapsHeld"] = 0;
   if (this->Views.empty())
@@ -177,24 +173,24 @@ bool vtkShadowMaps::Update(vtkShadowFrame& frame, const vtkShadowMapSettings& se
   this->BatchCount = this->BatchSize;
   if (this->AreResident())
   {
-    for (std::size_t i = 0; i < this->Lights.size(); ++i)
+    for (std::size_t i = 0; i < this->Parts.size(); ++i)
     {
       if (fresh || changed[i])
       {
-        this->Draw(frame, this->Lights[i].First, this->Lights[i].Count);
+        this->Draw(frame, this->Parts[i].First, this->Parts[i].Count);
         if (settings.Neighbours)
         {
-          this->Pyramid.Build(frame, this->Maps, this->Lights[i].First, this->Lights[i].Count);
+          this->Pyramid.Build(frame, this->Maps, this->Parts[i].First, this->Parts[i].Count);
         }
       }
     }
   }
   frame.Counts["mapsHeld"] = this->BatchSize;
   frame.Counts["mapsReused"] = this->AreResident() ? total - frame.Counts["mapsDrawn"] : 0;
-  for (const auto& light : this->Lights)
+  for (const auto& part : this->Parts)
   {
     frame.Counts["castersLeftOut"] +=
-      static_cast<double>(frame.Casters->Get().size() - light.Casters.size());
+      static_cast<double>(frame.Casters->Get().size() - part.Casters.size());
   }
   frame.Counts["mapBatches"] = this->Batches;
   return true;
@@ -211,7 +207,7 @@ void vtkShadowMaps::DrawBatch(vtkShadowFrame& frame, int batch)
 //------------------------------------------------------------------------------
 double vtkShadowMaps::GetBatchShare(int light) const
 {
-  const LightState& state = this->Lights[light];
+  const PartState& state = this->Parts[light];
   if (state.Count == 0)
   {
     return this->BatchFirst == 0 ? 1.0 : 0.0;
@@ -254,7 +250,7 @@ void vtkShadowMaps::Draw(vtkShadowFrame& frame, int first, int count)
     target.SetLayer(i - this->BatchFirst);
     this->ClearLayer(state);
     const View& view = this->Views[i];
-    frame.Casters->Draw(frame.Window, view.Frustum.WCToClip, view.Frustum.Casters);
+    frame.Drawing->Draw(frame.Window, view.Frustum.WCToClip, view.Frustum.Casters);
     state->vtkglDisable(GL_SCISSOR_TEST);
   }
 }
@@ -310,12 +306,6 @@ void vtkShadowMaps::DrawMidpoint(vtkShadowFrame& frame, int index)
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   for (int layer = 0; layer < 2; ++layer)
   {
-    std::string source = vtkShadowMapPeelFS;
-    if (layer == 1)
-    {
-      vtkShaderProgram::Substitute(
-        source, "//VTK::Output::Dec", "#define SHADOW_SECOND\n//VTK::Output::Dec");
-    }
     vtkShadowFramebuffer::Scope target(
       frame.Window, this->Framebuffer, &this->Sides[layer], &this->Layers[layer], 0);
     const float farthest = 1.0f;
@@ -341,9 +331,10 @@ void vtkShadowMaps::DrawMidpoint(vtkShadowFrame& frame, int index)
         }
       };
       vtkShadowCasterDraw how;
-      how.FragmentShader = source.c_str();
+      how.FragmentShader = vtkShadowMapPeelFS;
+      how.Definitions = layer == 1 ? "#define SHADOW_SECOND\n" : "";
       how.SetParameters = setParameters;
-      frame.Casters->Draw(frame.Window, view.Frustum.WCToClip, casters, how);
+      frame.Drawing->Draw(frame.Window, view.Frustum.WCToClip, casters, how);
     }
   }
   this->Sides[0].Deactivate(frame.Window);
@@ -354,7 +345,7 @@ void vtkShadowMaps::DrawMidpoint(vtkShadowFrame& frame, int index)
   this->ClearLayer(state);
   state->vtkglDepthFunc(GL_ALWAYS);
   const auto& frustum = view.Frustum;
-  const bool directional = frame.Lights[view.Light].IsDirectional();
+  const bool directional = frame.Parts[view.Light].Light.IsDirectional();
   const float form[] = { static_cast<float>(frustum.DepthConstant),
     directional ? 0.0f : static_cast<float>(frustum.DepthScale) };
   frame.Quad->Draw(frame.Window, vtkShadowMapMidpointFS,
@@ -393,7 +384,7 @@ void vtkShadowMaps::UpdateViewVectors(vtkShadowFrame& frame, bool changed)
     {
       this->ViewVectors.emplace_back(rows[r]);
     }
-    const bool directional = frame.Lights[view.Light].IsDirectional();
+    const bool directional = frame.Parts[view.Light].Light.IsDirectional();
     const glm::dvec4 place = WCToVC * glm::dvec4(view.Frustum.Place, directional ? 0.0 : 1.0);
     const glm::dmat3 turn(WCToVC);
     const double texel = view.Frustum.DepthScale / this->Current.Resolution;
@@ -402,7 +393,7 @@ void vtkShadowMaps::UpdateViewVectors(vtkShadowFrame& frame, bool changed)
     this->ViewVectors.emplace_back(glm::dvec4(view.Weight, place.z));
     if (this->Current.Neighbours)
     {
-      this->AddKernelVectors(frame.Lights[view.Light], view);
+      this->AddKernelVectors(frame.Parts[view.Light], view);
     }
   }
   if (!this->Few)
@@ -412,8 +403,9 @@ void vtkShadowMaps::UpdateViewVectors(vtkShadowFrame& frame, bool changed)
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowMaps::AddKernelVectors(const vtkShadowLight& light, const View& view)
+void vtkShadowMaps::AddKernelVectors(const vtkShadowLightPart& part, const View& view)
 {
+  const vtkShadowLight& light = part.Light;
   const vtkLightView& frustum = view.Frustum;
   const glm::dvec2 window(glm::length(frustum.WindowX), glm::length(frustum.WindowY));
   const glm::dvec3 x = frustum.WindowX / window.x;
@@ -443,14 +435,14 @@ void vtkShadowMaps::AddKernelVectors(const vtkShadowLight& light, const View& vi
 //------------------------------------------------------------------------------
 bool vtkShadowMaps::IsOverlapExceeded() const
 {
-  return std::any_of(this->Lights.begin(), this->Lights.end(),
-    [](const LightState& light) { return light.Exceeded; });
+  return std::any_of(
+    this->Parts.begin(), this->Parts.end(), [](const PartState& part) { return part.Exceeded; });
 }
 
 //------------------------------------------------------------------------------
 double vtkShadowMaps::GetSeparation(int light) const
 {
-  return this->Current.Separation * this->Lights[light].Extent;
+  return this->Current.Separation * this->Parts[light].Extent;
 }
 
 //------------------------------------------------------------------------------
@@ -472,12 +464,12 @@ std::string vtkShadowMaps::GetGLSL() const
     // then nothing that depends on it unrolls.
     std::string first;
     std::string end;
-    for (std::size_t i = 0; i < this->Lights.size(); ++i)
+    for (std::size_t i = 0; i < this->Parts.size(); ++i)
     {
-      const bool last = i + 1 == this->Lights.size();
+      const bool last = i + 1 == this->Parts.size();
       const std::string condition = last ? "" : "(light) == " + std::to_string(i) + " ? ";
       const std::string otherwise = last ? "" : " : ";
-      const auto& light = this->Lights[i];
+      const auto& light = this->Parts[i];
       first += condition + std::to_string(light.First) + otherwise;
       end += condition + std::to_string(light.First + light.Count) + otherwise;
     }
@@ -531,16 +523,16 @@ void vtkShadowMaps::SetParameters(vtkShaderProgram* program)
     }
     return;
   }
-  std::array<int, MaximumLights> first{};
-  std::array<int, MaximumLights> count{};
-  for (std::size_t i = 0; i < this->Lights.size(); ++i)
+  std::array<int, vtkShadowFrame::MostParts> first{};
+  std::array<int, vtkShadowFrame::MostParts> count{};
+  for (std::size_t i = 0; i < this->Parts.size(); ++i)
   {
-    const LightState& state = this->Lights[i];
+    const PartState& state = this->Parts[i];
     first[i] = std::max(state.First, this->BatchFirst);
     const int last = std::min(state.First + state.Count, this->BatchFirst + this->BatchCount);
     count[i] = std::max(0, last - first[i]);
   }
-  const int lights = static_cast<int>(this->Lights.size());
+  const int lights = static_cast<int>(this->Parts.size());
   program->SetUniform1iv("shadowFirstView", lights, first.data());
   program->SetUniform1iv("shadowViewCount", lights, count.data());
   program->SetUniformi("shadowFirstLayer", this->BatchFirst);
@@ -578,5 +570,5 @@ void vtkShadowMaps::Release(vtkOpenGLRenderWindow* window)
   }
   this->Framebuffer.Release(window);
   this->Views.clear();
-  this->Lights.clear();
+  this->Parts.clear();
 }

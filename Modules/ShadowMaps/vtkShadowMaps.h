@@ -14,6 +14,7 @@
 #define vtkShadowMaps_h
 
 #include "vtkLightFrusta.h"                 // For vtkLightView
+#include "vtkShadowChanges.h"               // For what is kept
 #include "vtkShadowDepthPyramid.h"          // For what is surely lit or dark
 #include "vtkShadowGL.h"                    // For textures
 #include "vtkShadowLight.h"                 // For vtkShadowLight
@@ -83,10 +84,9 @@ private:
     glm::dvec3 Weight{ 1.0 };
     int Light = 0;
   };
-  /** What a light's views were made from. */
-  struct LightState
+  /** The views of a part of a light. */
+  struct PartState
   {
-    vtkShadowLight Light;
     int First = 0;
     int Count = 0;
     std::vector<int> Casters;
@@ -94,21 +94,20 @@ private:
     bool Exceeded = false; // vtkLightFrusta::IsOverlapExceeded
   };
 
-  std::vector<View> MakeViews(vtkShadowFrame& frame, int light, LightState& state) const;
+  std::vector<View> MakeViews(vtkShadowFrame& frame, int light, PartState& state) const;
   void Draw(vtkShadowFrame& frame, int first, int count);
   /** Clear the layer that is bound, and keep its border so where there are look-ups beyond it. */
   void ClearLayer(vtkOpenGLState* state);
   bool AllocateLayers(vtkOpenGLRenderWindow* window);
   void ReleaseUnused(vtkOpenGLRenderWindow* window);
   void DrawMidpoint(vtkShadowFrame& frame, int view);
-  void AddKernelVectors(const vtkShadowLight& light, const View& view);
+  void AddKernelVectors(const vtkShadowLightPart& part, const View& view);
   void UpdateViewVectors(vtkShadowFrame& frame, bool changed);
 
   vtkShadowMapSettings Current;
-  unsigned long CasterVersion = 0;
-  unsigned long ReceiverVersion = 0;
+  vtkShadowChanges Changes;
   std::vector<View> Views;
-  std::vector<LightState> Lights;
+  std::vector<PartState> Parts;
   int Batches = 0;
   int BatchSize = 0;
   int BatchFirst = 0; // the view in layer 0

@@ -18,7 +18,7 @@
 #ifndef vtkShadowSilhouettes_h
 #define vtkShadowSilhouettes_h
 
-#include "vtkShadowCasters.h"                  // For vtkShadowCasterPart
+#include "vtkShadowCasterDrawing.h"            // For vtkShadowCasterPart
 #include "vtkSoftShadowsShadowVolumesModule.h" // For export macro
 
 #include <glm/vec4.hpp>

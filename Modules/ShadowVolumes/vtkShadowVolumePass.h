@@ -11,7 +11,9 @@
  * light or casters changed; 3. receivers; 4. for each sample, volumes counted in the stencil over the
  * receivers' depth, and the sample's weight taken away where the count is not zero.
  *
- * Textures and buffers: see vtkShadowVolumes.
+ * Debug view "volumes": those of the first sample, front faces blue, back faces orange, silhouettes.
+ *
+ * Textures and buffers: see vtkShadowSilhouetteCache and vtkShadowVolumes.
  */
 
 #ifndef vtkShadowVolumePass_h
@@ -20,35 +22,19 @@
 #include "vtkShadowPass.h"
 #include "vtkSoftShadowsShadowVolumesModule.h" // For export macro
 
-class vtkShadowVolumes;
-
 class VTKSOFTSHADOWSSHADOWVOLUMES_EXPORT vtkShadowVolumePass : public vtkShadowPass
 {
 public:
   static vtkShadowVolumePass* New();
   vtkTypeMacro(vtkShadowVolumePass, vtkShadowPass);
 
-  /** Adds "volumes": those of the first sample, front faces blue, back faces orange, silhouettes. */
-  std::string GetDebugViews() override;
-
 protected:
   vtkShadowVolumePass();
   ~vtkShadowVolumePass() override;
 
-  bool UpdateLightData(vtkShadowFrame& frame) override;
-  bool PrefersForward(const vtkShadowFrame&) override { return false; }
-  void FillVisibility(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer) override;
-  double GetMaximumCost() override;
-  void DrawDebugView(vtkShadowFrame& frame, const std::string& view) override;
-  void ReleaseLightData(vtkRenderWindow* window) override;
-  std::vector<std::pair<std::string, std::size_t>> GetLightDataBytes() override;
-
 private:
   vtkShadowVolumePass(const vtkShadowVolumePass&) = delete;
   void operator=(const vtkShadowVolumePass&) = delete;
-
-  std::unique_ptr<vtkShadowVolumes> Volumes;
-  double MostFaces = 0.0; // drawn over a pixel, when the cost was last shown
 };
 
 #endif

@@ -1,13 +1,12 @@
 #include "vtkShadowVolumes.h"
 
 #include "vtkActor.h"
-#include "vtkLightFrusta.h"
 #include "vtkMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPlaneCollection.h"
 #include "vtkProperty.h"
 #include "vtkShadowFrame.h"
-#include "vtkShadowVTKVersion.h"
+#include "vtkShadowOpenGL.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
@@ -15,7 +14,6 @@
 #include <glm/vector_relational.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -69,94 +67,23 @@ glm::dvec4 MakePlane(const glm::dvec3& normal, const glm::dvec3& point)
 //------------------------------------------------------------------------------
 void vtkShadowVolumes::Update(vtkShadowFrame& frame, const vtkShadowVolumeSettings& settings)
 {
-  const bool all = !(settings == this->Current) || this->Lights.size() != frame.Lights.size() ||
-                   frame.Casters->GetVersion() != this->CasterVersion;
-  const bool receiversMoved = frame.Casters->GetReceiverVersion() != this->ReceiverVersion;
-  this->Current = settings;
-  this->CasterVersion = frame.Casters->GetVersion();
-  this->ReceiverVersion = frame.Casters->GetReceiverVersion();
-  this->Lights.resize(frame.Lights.size());
-  for (const char* name : { "adjacenciesBuilt", "silhouettesFound", "silhouettesReused",
-         "volumesZPass", "volumesZFail", "volumesOutOfView", "wideCounts" })
+  this->Method = settings.Method;
+  for (const char* name : { "volumesZPass", "volumesZFail", "volumesOutOfView", "wideCounts" })
   {
     frame.Counts[name] = 0;
   }
+  this->Silhouettes.Update(frame, settings.Samples, settings.MemoryLimit);
+  if (this->CapVersion != this->Silhouettes.GetVersion())
+  {
+    this->CapVersion = this->Silhouettes.GetVersion();
+    this->CapLight = -1;
+  }
+  this->SetView(frame);
+}
 
-  // What stays counts first.
-  std::size_t bytes = 0;
-  for (std::size_t i = 0; !all && i < this->Lights.size(); ++i)
-  {
-    for (const auto& batch : this->Lights[i].Batches)
-    {
-      bytes += batch->Bytes;
-    }
-  }
-  for (std::size_t i = 0; i < this->Lights.size(); ++i)
-  {
-    LightState& state = this->Lights[i];
-    const vtkShadowLight& light = frame.Lights[i];
-    const bool same = !all && state.Light.SameGeometry(light);
-    if (!same || receiversMoved)
-    {
-      const auto casters = vtkLightFrusta(light, *frame.Casters).GetCasters();
-      if (!same || casters != state.Casters)
-      {
-        state.Light = light;
-        state.Casters = casters;
-        state.Samples = casters.empty()
-                          ? std::vector<vtkLightSample>()
-                          : light.GetPlaces(light.IsPoint() ? 1 : settings.Samples,
-                              frame.Casters->GetMiddle(casters) + frame.Casters->GetOrigin());
-        state.Places.clear();
-        for (const auto& sample : state.Samples)
-        {
-          state.Places.push_back(light.IsDirectional()
-                                   ? glm::dvec4(sample.Point, 0.0)
-                                   : glm::dvec4(sample.Point - frame.Casters->GetOrigin(), 1.0));
-        }
-        for (auto& batch : state.Batches)
-        {
-          batch->Lines->ReleaseGraphicsResources();
-          bytes -= all ? 0 : batch->Bytes;
-        }
-        state.Batches.clear();
-        this->CapLight = this->UnkeptLight = -1;
-        frame.Counts["adjacenciesBuilt"] += this->Adjacencies.Add(*frame.Casters, casters);
-        const int batches =
-          (static_cast<int>(state.Samples.size()) + vtkShadowSilhouettes::MostPlaces - 1) /
-          vtkShadowSilhouettes::MostPlaces;
-        for (int k = 0; k < batches && bytes < settings.MemoryLimit; ++k)
-        {
-          auto batch = std::make_unique<Batch>();
-          this->FindSilhouettes(frame, state, k, *batch);
-          bytes += batch->Bytes;
-          if (bytes > settings.MemoryLimit)
-          {
-            batch->Lines->ReleaseGraphicsResources();
-            break;
-          }
-          state.Batches.push_back(std::move(batch));
-        }
-        continue;
-      }
-    }
-    for (const auto& batch : state.Batches)
-    {
-      frame.Counts["silhouettesReused"] += static_cast<double>(batch->Silhouettes.Get().size());
-    }
-  }
-  this->Adjacencies.Prune(*frame.Casters);
-  for (const auto& entry : this->Adjacencies.GetAll())
-  {
-    frame.Counts["adjacencyBytes"] += static_cast<double>(entry.second->GetBytes());
-    frame.Counts["adjacencyTriangles"] += static_cast<double>(entry.second->Flags.size());
-    frame.Counts["edgesOpen"] += static_cast<double>(entry.second->OpenEdges);
-    frame.Counts["edgesNonManifold"] += static_cast<double>(entry.second->NonManifoldEdges);
-    frame.Counts["edgesInconsistent"] += static_cast<double>(entry.second->InconsistentEdges);
-    frame.Counts["trianglesDuplicate"] += static_cast<double>(entry.second->DuplicateFaces);
-  }
-
-  // The view.
+//------------------------------------------------------------------------------
+void vtkShadowVolumes::SetView(const vtkShadowFrame& frame)
+{
   this->WCToClip = frame.VCToClip * frame.GetWCToVC();
   // A camera that mirrors turns all faces around; the usual projection has a negative determinant.
   this->Mirrored = glm::determinant(this->WCToClip) > 0.0;
@@ -196,46 +123,6 @@ void vtkShadowVolumes::Update(vtkShadowFrame& frame, const vtkShadowVolumeSettin
   const glm::dmat4 VCToDraw = glm::row(
     frame.VCToClip, 2, this->ClipControl ? this->DepthRow : 2.0 * this->DepthRow - this->WRow);
   this->WCToDraw = VCToDraw * frame.GetWCToVC();
-}
-
-//------------------------------------------------------------------------------
-void vtkShadowVolumes::FindSilhouettes(
-  vtkShadowFrame& frame, LightState& state, int batch, Batch& result)
-{
-  const std::size_t first = static_cast<std::size_t>(batch) * vtkShadowSilhouettes::MostPlaces;
-  const std::size_t count =
-    std::min<std::size_t>(vtkShadowSilhouettes::MostPlaces, state.Places.size() - first);
-  const auto start = std::chrono::steady_clock::now();
-  result.Silhouettes.Find(*frame.Casters, this->Adjacencies, state.Casters,
-    state.Places.data() + first, static_cast<int>(count));
-  const auto& lines = result.Silhouettes.GetLines();
-  frame.Counts["silhouetteMilliseconds"] +=
-    std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  frame.Counts["silhouetteEdges"] += static_cast<double>(lines.size() / 2);
-  result.Bytes = lines.size() * sizeof(std::uint32_t);
-  glBindVertexArray(0); // or the buffer would become that array's
-  result.Lines->Upload(lines, vtkOpenGLBufferObject::ElementArrayBuffer);
-  result.Silhouettes.ReleaseLines();
-  frame.Counts["silhouettesFound"] += static_cast<double>(count);
-}
-
-//------------------------------------------------------------------------------
-const vtkShadowVolumes::Batch& vtkShadowVolumes::GetBatch(
-  vtkShadowFrame& frame, int light, int sample)
-{
-  LightState& state = this->Lights[light];
-  const int index = sample / vtkShadowSilhouettes::MostPlaces;
-  if (index < static_cast<int>(state.Batches.size()))
-  {
-    return *state.Batches[index];
-  }
-  if (this->UnkeptLight != light || this->UnkeptBatch != index)
-  {
-    this->FindSilhouettes(frame, state, index, this->Unkept);
-    this->UnkeptLight = light;
-    this->UnkeptBatch = index;
-  }
-  return this->Unkept;
 }
 
 //------------------------------------------------------------------------------
@@ -281,12 +168,10 @@ std::vector<glm::dvec4> vtkShadowVolumes::GetShadingPlanes(const glm::dvec4& pla
 //------------------------------------------------------------------------------
 vtkShadowVolumes::Selection vtkShadowVolumes::Select(vtkShadowFrame& frame, int light, int sample)
 {
-  const LightState& state = this->Lights[light];
-  const glm::dvec4& place = state.Places[sample];
+  const glm::dvec4& place = this->Silhouettes.GetPlace(light, sample);
   Selection selection;
-  selection.Lines = &this->GetBatch(frame, light, sample);
-  const vtkShadowSilhouette& silhouette =
-    selection.Lines->Silhouettes.Get()[sample % vtkShadowSilhouettes::MostPlaces];
+  selection.Lines = &this->Silhouettes.GetBatch(frame, light, sample);
+  const vtkShadowSilhouette& silhouette = vtkShadowSilhouetteCache::Get(*selection.Lines, sample);
   const auto shading = this->GetShadingPlanes(place);
   std::vector<CappedCaster> capped;
   std::size_t mostNested = silhouette.MostNested;
@@ -297,12 +182,12 @@ vtkShadowVolumes::Selection vtkShadowVolumes::Select(vtkShadowFrame& frame, int 
     {
       ++frame.Counts["volumesOutOfView"];
     }
-    else if (this->Current.Method == Counting::ZPass || this->Current.Method == Counting::Xor)
+    else if (this->Method == Counting::ZPass || this->Method == Counting::Xor)
     {
       selection.ZPass.push_back(part);
     }
     else if (const bool inside = this->IsLookedInto(caster);
-             inside || this->Current.Method == Counting::ZFail || MayReachInto(shading, caster))
+             inside || this->Method == Counting::ZFail || MayReachInto(shading, caster))
     {
       const vtkShadowCap cap = !inside                  ? vtkShadowCap::Away
                                : MayHold(caster, place) ? vtkShadowCap::All
@@ -322,7 +207,7 @@ vtkShadowVolumes::Selection vtkShadowVolumes::Select(vtkShadowFrame& frame, int 
   }
   frame.Counts["volumesZPass"] += static_cast<double>(selection.ZPass.size());
   frame.Counts["volumesZFail"] += static_cast<double>(capped.size());
-  selection.Wide = this->Current.Method != Counting::Xor && mostNested > 255;
+  selection.Wide = this->Method != Counting::Xor && mostNested > 255;
   frame.Counts["wideCounts"] += selection.Wide ? 1 : 0;
   if (!capped.empty())
   {
@@ -387,8 +272,8 @@ void vtkShadowVolumes::UpdateCaps(
   {
     const vtkShadowCaster& caster = frame.Casters->Get()[index];
     const std::size_t first = triangles.size();
-    vtkShadowSilhouettes::AddCap(caster, this->Adjacencies.Get(caster.Mesh),
-      this->Lights[light].Places[sample], cap, triangles);
+    vtkShadowSilhouettes::AddCap(caster, this->Silhouettes.GetAdjacencies().Get(caster.Mesh),
+      this->Silhouettes.GetPlace(light, sample), cap, triangles);
     this->CapParts.push_back({ index, first, triangles.size() - first });
   }
   glBindVertexArray(0);
@@ -402,35 +287,17 @@ void vtkShadowVolumes::UpdateCaps(
 //------------------------------------------------------------------------------
 std::vector<std::pair<std::string, std::size_t>> vtkShadowVolumes::GetBytes() const
 {
-  std::size_t lines = this->Unkept.Bytes;
-  for (const auto& light : this->Lights)
-  {
-    for (const auto& batch : light.Batches)
-    {
-      lines += batch->Bytes;
-    }
-  }
-  return { { "silhouettes", lines }, { "caps", this->CapBytes },
+  return { { "silhouettes", this->Silhouettes.GetBytes() }, { "caps", this->CapBytes },
     { "depth", this->Depth.GetBytes() }, { "counts", this->Counts.GetBytes() } };
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowVolumes::Release(vtkOpenGLRenderWindow* window)
 {
-  for (auto& light : this->Lights)
-  {
-    for (auto& batch : light.Batches)
-    {
-      batch->Lines->ReleaseGraphicsResources();
-    }
-  }
-  this->Lights.clear();
-  this->Unkept.Lines->ReleaseGraphicsResources();
-  this->Unkept.Bytes = 0;
-  this->UnkeptLight = this->CapLight = -1;
+  this->Silhouettes.Release();
+  this->CapLight = -1;
   this->Caps->ReleaseGraphicsResources();
   this->CapBytes = 0;
   this->Depth.Release(window);
   this->Counts.Release(window);
-  this->Adjacencies.Clear();
 }

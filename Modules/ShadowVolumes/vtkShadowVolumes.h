@@ -1,7 +1,6 @@
-// The shadow volumes of a pass: silhouettes by light and place, kept while light and casters are
-// unchanged, and their counting over the receivers' depth.
+// The stencil counting of shadow volumes, which stand on the silhouettes of a vtkShadowSilhouetteCache,
+// over the receivers' depth.
 //
-//   lines    index buffer  8 bytes a silhouette edge and place: pairs of the casters' vertices
 //   caps     index buffer  12 bytes a triangle (24 of an open mesh with the light within and its inside
 //                          in sight), where volumes are counted by z-fail: of one sample, made anew
 //                          for the next
@@ -20,10 +19,8 @@
 
 #include "vtkNew.h"                            // For buffers
 #include "vtkOpenGLBufferObject.h"             // For buffers
-#include "vtkShadowAdjacency.h"                // For adjacencies
 #include "vtkShadowGL.h"                       // For textures
-#include "vtkShadowLight.h"                    // For vtkShadowLight
-#include "vtkShadowSilhouettes.h"              // For silhouettes
+#include "vtkShadowSilhouetteCache.h"          // For silhouettes
 #include "vtkSoftShadowsShadowVolumesModule.h" // For export macro
 
 #include <glm/mat4x4.hpp>
@@ -32,7 +29,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,12 +49,6 @@ struct vtkShadowVolumeSettings
   Counting Method = Counting::Auto;
   int Samples = 1;                                // of each light that has a size
   std::size_t MemoryLimit = std::size_t(1) << 32; // bytes for all lines
-
-  bool operator==(const vtkShadowVolumeSettings& other) const
-  {
-    return this->Method == other.Method && this->Samples == other.Samples &&
-           this->MemoryLimit == other.MemoryLimit;
-  }
 };
 
 class VTKSOFTSHADOWSSHADOWVOLUMES_EXPORT vtkShadowVolumes
@@ -70,7 +60,7 @@ public:
   /** The places on a light. */
   const std::vector<vtkLightSample>& GetSamples(int light) const
   {
-    return this->Lights[light].Samples;
+    return this->Silhouettes.GetSamples(light);
   }
 
   /** Make the depth that volumes are counted over; before Subtract. False when out of memory. */
@@ -91,34 +81,18 @@ public:
   void Release(vtkOpenGLRenderWindow* window);
 
 private:
-  /** Silhouettes of up to vtkShadowSilhouettes::MostPlaces samples. */
-  struct Batch
-  {
-    vtkShadowSilhouettes Silhouettes;
-    vtkNew<vtkOpenGLBufferObject> Lines;
-    std::size_t Bytes = 0;
-  };
-  struct LightState
-  {
-    vtkShadowLight Light;
-    std::vector<int> Casters;
-    std::vector<vtkLightSample> Samples;
-    std::vector<glm::dvec4> Places;              // of the samples, in WC
-    std::vector<std::unique_ptr<Batch>> Batches; // those that are kept
-  };
   /** A caster, and its cap. */
   using CappedCaster = std::pair<int, vtkShadowCap>;
   /** What a frame draws of one sample. */
   struct Selection
   {
-    const Batch* Lines = nullptr;
+    const vtkShadowSilhouetteCache::Batch* Lines = nullptr;
     std::vector<vtkShadowCasterPart> ZPass;
     std::vector<vtkShadowCasterPart> ZFail; // twice where the sides are
     bool Wide = false;                      // counts may pass 255
   };
 
-  void FindSilhouettes(vtkShadowFrame& frame, LightState& state, int batch, Batch& result);
-  const Batch& GetBatch(vtkShadowFrame& frame, int light, int sample);
+  void SetView(const vtkShadowFrame& frame);
   Selection Select(vtkShadowFrame& frame, int light, int sample);
   /** All of a caster's volume lies outside of the view. */
   bool IsOutOfView(const vtkShadowCaster& caster, const glm::dvec4& place) const;
@@ -144,11 +118,8 @@ private:
   void DrawVolumes(vtkShadowFrame& frame, const glm::dvec4& place, const Selection& selection,
     const char* shader, SetCounter setCounter);
 
-  vtkShadowVolumeSettings Current;
-  unsigned long CasterVersion = 0;
-  unsigned long ReceiverVersion = 0;
-  vtkShadowAdjacencies Adjacencies;
-  std::vector<LightState> Lights;
+  vtkShadowVolumeSettings::Counting Method = vtkShadowVolumeSettings::Counting::Auto;
+  vtkShadowSilhouetteCache Silhouettes;
 
   // The frame's view.
   glm::dmat4 WCToClip{ 1.0 };
@@ -161,12 +132,10 @@ private:
   bool Parallel = false;
   bool Mirrored = false;
 
-  Batch Unkept; // one that is not kept
-  int UnkeptLight = -1;
-  int UnkeptBatch = -1;
   vtkNew<vtkOpenGLBufferObject> Caps;
   std::size_t CapBytes = 0;
-  int CapLight = -1; // whose caps the buffer holds
+  int CapLight = -1;            // whose caps the buffer holds
+  unsigned long CapVersion = 0; // of the silhouettes then
   int CapSample = -1;
   std::vector<CappedCaster> CapCasters;
   std::vector<vtkShadowCasterPart> CapParts;

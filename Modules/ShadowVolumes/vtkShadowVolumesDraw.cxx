@@ -3,8 +3,9 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
+#include "vtkShadowCasterDrawing.h"
 #include "vtkShadowFrame.h"
-#include "vtkShadowVTKVersion.h"
+#include "vtkShadowOpenGL.h"
 #include "vtkShadowVolumeCapVS.h"
 #include "vtkShadowVolumeCountFS.h"
 #include "vtkShadowVolumeDepthFS.h"
@@ -135,7 +136,7 @@ void vtkShadowVolumes::DrawSides(vtkShadowFrame& frame, const glm::dvec4& place,
   };
   how.SetCasterParameters = [&](vtkShaderProgram* program, const vtkShadowCaster& caster)
   { this->SetExtrusion(program, caster, place, matrix); };
-  frame.Casters->DrawParts(frame.Window, matrix, GL_LINES, selection.Lines->Lines, parts, how);
+  frame.Drawing->DrawParts(frame.Window, matrix, GL_LINES, selection.Lines->Lines, parts, how);
 }
 
 //------------------------------------------------------------------------------
@@ -164,7 +165,7 @@ void vtkShadowVolumes::DrawCaps(vtkShadowFrame& frame, const glm::dvec4& place, 
     (far ? glDisable : glEnable)(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(far ? 0.0f : -1.0f, far ? 0.0f : -1.0f);
     this->SetFrontFace(far);
-    frame.Casters->DrawParts(
+    frame.Drawing->DrawParts(
       frame.Window, this->WCToDraw, GL_TRIANGLES, this->Caps, this->CapParts, how);
   }
   this->SetFrontFace(false);
@@ -224,17 +225,17 @@ bool vtkShadowVolumes::UpdateDepth(vtkShadowFrame& frame, vtkVisibilityBuffer& b
   const CountingState drawing(state, false);
   state->vtkglDepthMask(GL_TRUE);
   state->vtkglDepthFunc(GL_ALWAYS);
-  buffer.GetReceivers().Activate(frame.Window);
+  buffer.GetReceivers().GetTexture().Activate(frame.Window);
   const glm::vec4 depthRow(this->DepthRow);
   const glm::vec4 wRow(this->WRow);
   frame.Quad->Draw(frame.Window, vtkShadowVolumeDepthFS,
     [&](vtkShaderProgram* program)
     {
-      program->SetUniformi("shadowReceivers", buffer.GetReceivers().GetUnit());
+      program->SetUniformi("shadowReceivers", buffer.GetReceivers().GetTexture().GetUnit());
       program->SetUniform4f("shadowDepthRow", glm::value_ptr(depthRow));
       program->SetUniform4f("shadowWRow", glm::value_ptr(wRow));
     });
-  buffer.GetReceivers().Deactivate(frame.Window);
+  buffer.GetReceivers().GetTexture().Deactivate(frame.Window);
   return true;
 }
 
@@ -242,7 +243,7 @@ bool vtkShadowVolumes::UpdateDepth(vtkShadowFrame& frame, vtkVisibilityBuffer& b
 bool vtkShadowVolumes::Subtract(
   vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int light, int sample)
 {
-  const glm::dvec4& place = this->Lights[light].Places[sample];
+  const glm::dvec4& place = this->Silhouettes.GetPlace(light, sample);
   Selection selection = this->Select(frame, light, sample);
   if (selection.ZPass.empty() && selection.ZFail.empty())
   {
@@ -284,7 +285,7 @@ bool vtkShadowVolumes::Subtract(
     this->DrawVolumes(frame, place, selection, nullptr,
       [this, state](bool passing) -> std::function<void(vtkShaderProgram*)>
       {
-        const bool parity = this->Current.Method == vtkShadowVolumeSettings::Counting::Xor;
+        const bool parity = this->Method == vtkShadowVolumeSettings::Counting::Xor;
         const GLenum enter = parity ? GL_INVERT : (passing ? GL_INCR_WRAP : GL_DECR_WRAP);
         const GLenum leave = parity ? GL_INVERT : (passing ? GL_DECR_WRAP : GL_INCR_WRAP);
         state->vtkglStencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, enter);
@@ -305,7 +306,7 @@ bool vtkShadowVolumes::Subtract(
       source, "//VTK::Output::Dec", "#define SHADOW_WIDE\n//VTK::Output::Dec");
     this->Counts.Activate(frame.Window);
   }
-  const glm::vec3 weight(this->Lights[light].Samples[sample].Weight);
+  const glm::vec3 weight(this->Silhouettes.GetSamples(light)[sample].Weight);
   frame.Quad->Draw(frame.Window, source,
     [&](vtkShaderProgram* program)
     {
@@ -331,7 +332,8 @@ void vtkShadowVolumes::AddFaces(
   CountingState counting(state, true);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
-  this->DrawVolumes(frame, this->Lights[light].Places[sample], selection, vtkShadowVolumeCountFS,
+  this->DrawVolumes(frame, this->Silhouettes.GetPlace(light, sample), selection,
+    vtkShadowVolumeCountFS,
     [](bool)
     {
       return [](vtkShaderProgram* program)
@@ -345,7 +347,7 @@ void vtkShadowVolumes::AddFaces(
 //------------------------------------------------------------------------------
 void vtkShadowVolumes::DrawView(vtkShadowFrame& frame, int light, int sample)
 {
-  const glm::dvec4& place = this->Lights[light].Places[sample];
+  const glm::dvec4& place = this->Silhouettes.GetPlace(light, sample);
   const Selection selection = this->Select(frame, light, sample);
   vtkOpenGLState* state = frame.Window->GetState();
   CountingState drawing(state, true);
@@ -369,7 +371,7 @@ void vtkShadowVolumes::DrawView(vtkShadowFrame& frame, int light, int sample)
     vtkShadowCasterDraw how;
     how.FragmentShader = vtkShadowVolumeViewFS;
     how.SetParameters = setColors({ 1.0f, 1.0f, 0.2f, 1.0f }, { 1.0f, 1.0f, 0.2f, 1.0f });
-    frame.Casters->DrawParts(
+    frame.Drawing->DrawParts(
       frame.Window, this->WCToClip, GL_LINES, selection.Lines->Lines, *parts, how);
   }
   glDisable(GL_DEPTH_CLAMP);

@@ -96,17 +96,6 @@ class Suites(unittest.TestCase):
                 figures = entry.get("published", {}).get("milliseconds")
                 self.assertIn(keys if figures else set(), (set(), set(figures or {})), path.name)
 
-    def test_snapshots(self):
-        if jsonschema is None:
-            self.skipTest("no jsonschema")
-        folder = ROOT / "Documentation/results"
-        schema = json.loads((folder / "results.schema.json").read_text())
-        jsonschema.validators.validator_for(schema).check_schema(schema)
-        for name in ("scaling", "scenes", "thesis"):
-            results = json.loads((folder / name / "results.json").read_text())
-            jsonschema.validate(results, schema)
-            self.assertEqual(results["failures"], [])
-
 
 class Report(BenchTest):
     """One run, looked at from all sides."""

@@ -3,7 +3,7 @@
 #include "ShadowStage.h"
 #include "ShadowTest.h"
 
-#include "vtkShadowVTKVersion.h"
+#include "vtkShadowOpenGL.h"
 
 #include <algorithm>
 #include <dlfcn.h>

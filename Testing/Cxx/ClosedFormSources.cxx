@@ -146,7 +146,7 @@ SHADOW_TEST(ClosedForm, SphereUnderTheSun, Each)
 SHADOW_TEST(ClosedForm, TexturedRectangle, Each)
 {
   const auto& description = ShadowStage::Describe(technique);
-  if (description.Hard || description.LightShapes[5] == vtkShadowShapeSupport::Unsupported)
+  if (description.Traits.Hard || description.LightShapes[5] == vtkShadowShapeSupport::Unsupported)
   {
     return;
   }

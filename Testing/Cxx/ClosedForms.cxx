@@ -103,7 +103,7 @@ void CheckClosedForm(const std::string& technique, LightKind kind, ShadowStage& 
     stage.Render();
     return stage.GetVisibility();
   };
-  if (ShadowStage::Describe(technique).Hard)
+  if (ShadowStage::Describe(technique).Traits.Hard)
   {
     ShadowTest::CheckAtMost(
       Compare(measure({ { "resolution", "1024" } }), truthHard, 0.5, use).Share, 0.015,

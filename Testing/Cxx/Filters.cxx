@@ -201,7 +201,7 @@ SHADOW_TEST(Filters, ResolutionFollowsThePicture, Each)
 {
   // Of layers along planes: Planar.ResolutionFollowsThePicture.
   if (!ShadowStage::HasParameter(technique, "resolution") ||
-      ShadowStage::Describe(technique).PlanarReceivers)
+      ShadowStage::Describe(technique).Traits.PlanarReceivers)
   {
     return;
   }

@@ -81,7 +81,7 @@ SHADOW_TEST(Frusta, WhatStandsStillDoesNotShimmer, Each)
 // Two boxes far apart: each has the shadow that it has alone, to the bit where it falls onto planes.
 SHADOW_TEST(Frusta, GroupsAreEachAsAlone, Each)
 {
-  if (!ShadowStage::Describe(technique).PlanarReceivers)
+  if (!ShadowStage::Describe(technique).Traits.PlanarReceivers)
   {
     return;
   }

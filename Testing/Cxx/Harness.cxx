@@ -4,7 +4,7 @@
 #include "ShadowTest.h"
 
 #include "vtkObject.h"
-#include "vtkShadowVTKVersion.h"
+#include "vtkShadowOpenGL.h"
 
 #include <cmath>
 #include <limits>

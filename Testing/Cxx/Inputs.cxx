@@ -55,7 +55,8 @@ Visibility ShowWith(const std::string& technique, vtkImageData* emission)
 bool TakesTextures(const std::string& technique)
 {
   const auto& description = ShadowStage::Describe(technique);
-  return !description.Hard && description.LightShapes[5] != vtkShadowShapeSupport::Unsupported;
+  return !description.Traits.Hard &&
+         description.LightShapes[5] != vtkShadowShapeSupport::Unsupported;
 }
 }
 

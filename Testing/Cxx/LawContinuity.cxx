@@ -58,7 +58,7 @@ SHADOW_TEST(Law, ZeroSizeIsHard, Each)
     const std::string name = GetName(kind);
     // The same light by another name.
     ShadowTest::Check(Same(Show(technique, kind, 0.0), point), name + " of no size is not a point");
-    if (ShadowStage::Describe(technique).Hard)
+    if (ShadowStage::Describe(technique).Traits.Hard)
     {
       ShadowTest::Check(
         Same(Show(technique, kind, 3.0), point), name + ": its size counts, but it is hard");
@@ -82,7 +82,8 @@ SHADOW_TEST(Law, ZeroSizeIsHard, Each)
   // shows.
   auto edges = GetEdges(truth, 2);
   const auto inner = ShadowOracle(stage).GetInner(2);
-  for (std::size_t i = 0; ShadowStage::Describe(technique).PlanarReceivers && i < edges.size(); ++i)
+  for (std::size_t i = 0;
+       ShadowStage::Describe(technique).Traits.PlanarReceivers && i < edges.size(); ++i)
   {
     edges[i] = edges[i] || !inner[i];
   }

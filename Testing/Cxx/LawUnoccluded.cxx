@@ -101,7 +101,7 @@ SHADOW_TEST(Law, ConvexBodyIsLitOrDark, Each)
       stage.SetPass(technique);
       stage.Render();
       const Visibility visibility = stage.GetVisibility(0);
-      if (ShadowStage::Describe(technique).PlanarReceivers)
+      if (ShadowStage::Describe(technique).Traits.PlanarReceivers)
       {
         ShadowTest::TakeMessages(); // nothing is flat
       }
@@ -264,7 +264,7 @@ SHADOW_TEST(Law, BoxHoldsItsLight, Each)
     const Visibility visibility = stage.GetVisibility(0);
     Visibility dark = visibility;
     dark.V.assign(dark.V.size(), 0.0f);
-    const auto use = ShadowStage::Describe(technique).PlanarReceivers
+    const auto use = ShadowStage::Describe(technique).Traits.PlanarReceivers
                        ? ShadowOracle(stage).GetFlatMask()
                        : std::vector<unsigned char>();
     ShadowTest::CheckAtMost(Compare(visibility, dark, 0.01, use).Share, 0.002,

@@ -21,7 +21,7 @@ namespace
 {
 bool IsPlanar(const std::string& technique)
 {
-  return ShadowStage::Describe(technique).PlanarReceivers;
+  return ShadowStage::Describe(technique).Traits.PlanarReceivers;
 }
 
 vtkPlanarShadowPass* GetPass(ShadowStage& stage)
@@ -170,7 +170,8 @@ SHADOW_TEST(Planar, LightsBelowAndLevel, Each)
 // what the part above leaves. From below, the same the other way round.
 SHADOW_TEST(Planar, LightThroughThePlane, Each)
 {
-  if (!IsPlanar(technique) || ShadowStage::Describe(technique).Hard || technique == "planar-fake")
+  if (!IsPlanar(technique) || ShadowStage::Describe(technique).Traits.Hard ||
+      technique == "planar-fake")
   {
     return; // these take the light's centre
   }
@@ -416,7 +417,7 @@ SHADOW_TEST(Planar, CameraMoves, Each)
   {
     return;
   }
-  const bool hard = ShadowStage::Describe(technique).Hard;
+  const bool hard = ShadowStage::Describe(technique).Traits.Hard;
   ShadowStage stage;
   stage.AddThings();
   stage.AddLight(LightKind::Rectangle);
@@ -440,7 +441,7 @@ SHADOW_TEST(Planar, CameraMoves, Each)
 // wide; V goes from 0.1 to 0.9 on four fifths of it.
 SHADOW_TEST(Planar, PenumbraFollowsSizeAndHeight, Each)
 {
-  if (!IsPlanar(technique) || ShadowStage::Describe(technique).Hard)
+  if (!IsPlanar(technique) || ShadowStage::Describe(technique).Traits.Hard)
   {
     return;
   }
@@ -586,7 +587,7 @@ SHADOW_TEST(Planar, ManyLightsAndPlanes, Each)
 // A light without size beside one that has a size: the shader that filters serves both.
 SHADOW_TEST(Planar, PointBesideAreaLight, Each)
 {
-  if (!ShadowStage::Describe(technique).PlanarReceivers)
+  if (!ShadowStage::Describe(technique).Traits.PlanarReceivers)
   {
     return;
   }

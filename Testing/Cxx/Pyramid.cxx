@@ -9,7 +9,7 @@
 #include "vtkShadowDepthPyramid.h"
 #include "vtkShadowFrame.h"
 #include "vtkShadowGL.h"
-#include "vtkShadowVTKVersion.h"
+#include "vtkShadowOpenGL.h"
 
 #include <algorithm>
 #include <cmath>

@@ -280,11 +280,11 @@ SHADOW_TEST(Replacements, ThatCannotBeAreSaidOnce, Once)
         [](vtkShaderProperty* shader)
         {
           Write(shader, "//VTK::Light::Dec",
-            "//VTK::Light::Dec\nfloat shadowFactor(float x) { return 0.5 * x; }\n");
+            "//VTK::Light::Dec\nfloat shadowSee(float x) { return 0.5 * x; }\n");
           Write(shader, "//VTK::Color::Impl",
-            "//VTK::Color::Impl\n  diffuseColor *= shadowFactor(1.0);\n");
+            "//VTK::Color::Impl\n  diffuseColor *= shadowSee(1.0);\n");
         } },
-      "shadowFactor" },
+      "shadowSee" },
     { { "a macro in our names",
         [](vtkShaderProperty* shader) {
           Write(shader, "//VTK::Light::Dec", "//VTK::Light::Dec\n#define normalVC vec3(0.0)\n");

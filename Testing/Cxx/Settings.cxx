@@ -10,6 +10,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
+#include "vtkShadowSettings.h"
+#include "vtkShadowTechnique.h"
 #include "vtkShadowTechniques.h"
 #include "vtkShadowVTKVersion.h"
 
@@ -19,8 +21,10 @@
 #include <clocale>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <locale>
 #include <sstream>
+#include <stdexcept>
 #include <thread>
 #include <unistd.h>
 #include <utility>
@@ -88,35 +92,29 @@ std::size_t CountPenumbra(const Visibility& visibility)
     visibility.V.begin(), visibility.V.end(), [](float v) { return v > 0.02f && v < 0.98f; });
 }
 
-/** A technique of the test's own. */
-class ProbePass : public vtkShadowPass
+/** A technique of the test's own, which reads parameters and draws nothing. */
+class Probe : public vtkShadowTechnique
 {
 public:
-  static ProbePass* New();
-  vtkTypeMacro(ProbePass, vtkShadowPass);
-  using vtkShadowPass::GetBoolean;
-  using vtkShadowPass::GetInteger;
-  using vtkShadowPass::GetReal;
-  using vtkShadowPass::GetText;
-
-protected:
-  bool UpdateLightData(vtkShadowFrame&) override { return false; }
-  void ReleaseLightData(vtkRenderWindow*) override {}
+  using vtkShadowTechnique::vtkShadowTechnique;
+  bool UpdateLightData(vtkShadowFrame&) override
+  {
+    return this->Settings.GetReal("widht") > 0.0; // which it has not declared
+  }
+  void Release(vtkOpenGLRenderWindow*) override {}
 };
-vtkStandardNewMacro(ProbePass);
 
 /** Registers as a library does that is loaded later. */
-void RegisterProbe(const std::string& name)
+const vtkShadowDeclaration& RegisterProbe(const std::string& name)
 {
-  using Type = vtkShadowParameter::Type;
-  vtkShadowTechnique technique;
-  technique.Name = name;
-  technique.ClassName = "ProbePass";
-  technique.New = [] { return static_cast<vtkShadowPass*>(ProbePass::New()); };
-  technique.Parameters = { { "width", Type::Real, "0.16", 0, 4, {}, "", "", {} },
-    { "samples", Type::Integer, "64", 1, 1024, {}, "", "", {} },
-    { "fine", Type::Boolean, "on", 0, 0, {}, "", "", {} } };
-  const vtkShadowTechniqueRegistration registration(technique);
+  vtkShadowDeclaration declaration;
+  declaration.Name = name;
+  declaration.SetClasses<Probe, vtkShadowPass>("vtkShadowPass");
+  declaration.Parameters = { vtkShadowParameter::Real("width", 0.16, 0, 4, ""),
+    vtkShadowParameter::Integer("samples", 64, 1, 1024, ""),
+    vtkShadowParameter::Boolean("fine", true, "") };
+  const vtkShadowTechniqueRegistration registration(declaration);
+  return *vtkShadowTechniqueRegistration::Find(name);
 }
 
 /** Two lights from either side, and a third that is off. */
@@ -178,15 +176,16 @@ SHADOW_TEST(Settings, DecimalComma, Each)
 //------------------------------------------------------------------------------
 SHADOW_TEST(Settings, PlainForm, Once)
 {
-  RegisterProbe("probe");
+  const vtkShadowDeclaration& declaration = RegisterProbe("probe");
   const auto pass = vtkSmartPointer<vtkShadowPass>::Take(vtkShadowTechniques::Create("probe"));
-  auto* probe = ProbePass::SafeDownCast(pass);
+  vtkShadowSettings settings(declaration); // what a technique reads
   for (const char* text : { "32", "32.0", "+32", "3.2e1", "0032" })
   {
     pass->SetParameter("samples", "64");
     ShadowTest::Check(pass->SetParameter("samples", text), std::string("refused: ") + text);
     ShadowTest::Check(pass->GetParameter("samples") == "32", std::string("not 32: ") + text);
-    ShadowTest::CheckEqual(probe->GetInteger("samples"), 32.0, text);
+    ShadowTest::Check(settings.Set("samples", text).empty(), text);
+    ShadowTest::CheckEqual(settings.GetInteger("samples"), 32.0, text);
     const vtkMTimeType before = pass->GetMTime();
     pass->SetParameter("samples", "32");
     ShadowTest::Check(pass->GetMTime() == before, std::string("32 is not the same as ") + text);
@@ -195,50 +194,75 @@ SHADOW_TEST(Settings, PlainForm, Once)
   {
     ShadowTest::Check(pass->SetParameter("width", text), std::string("refused: ") + text);
     ShadowTest::Check(pass->GetParameter("width") == text, std::string("not as set: ") + text);
-    ShadowTest::CheckEqual(probe->GetReal("width"), 0.5, text);
+    ShadowTest::Check(settings.Set("width", text).empty(), text);
+    ShadowTest::CheckEqual(settings.GetReal("width"), 0.5, text);
     const vtkMTimeType before = pass->GetMTime();
     pass->SetParameter("width", "0.5");
     ShadowTest::Check(pass->GetMTime() == before, std::string("0.5 is not the same as ") + text);
   }
   pass->SetParameter("width", "-0");
+  settings.Set("width", "-0");
   for (const char* text :
     { "", " 1", "1 ", "1,0", "0x1", "+-1", "--1", "+", "1e400", "nan", "inf", "1.0.0", "1f" })
   {
     ShadowTest::Check(!pass->SetParameter("width", text), std::string("taken: '") + text + "'");
     ShadowTest::CheckOneMessage(Message::Error, { "width", "a number from 0 to 4" }, text);
-    ShadowTest::CheckEqual(probe->GetReal("width"), 0.0, std::string("width after ") + text);
+    ShadowTest::Check(!settings.Set("width", text).empty(), text);
+    ShadowTest::CheckEqual(settings.GetReal("width"), 0.0, std::string("width after ") + text);
   }
   for (const auto& value : { std::pair<const char*, bool>("on", true), { "off", false },
          { "true", true }, { "false", false }, { "1", true }, { "0", false } })
   {
     pass->SetParameter("fine", value.first);
+    settings.Set("fine", value.first);
     ShadowTest::Check(pass->GetParameter("fine") == (value.second ? "on" : "off"), value.first);
-    ShadowTest::Check(probe->GetBoolean("fine") == value.second, value.first);
+    ShadowTest::Check(settings.GetBoolean("fine") == value.second, value.first);
   }
 }
 
 //------------------------------------------------------------------------------
-// A name that a technique misspells is told, and makes no parameter.
+// A technique that asks for a parameter that it has not declared, or of another type, gets no value.
 SHADOW_TEST(Settings, UndeclaredParameter, Once)
 {
-  RegisterProbe("probe");
-  const auto pass = vtkSmartPointer<vtkShadowPass>::Take(vtkShadowTechniques::Create("probe"));
-  auto* probe = ProbePass::SafeDownCast(pass);
-  const std::vector<std::string> words = { "probe", "widht", "width", "samples" };
-  for (int time = 0; time < 2; ++time)
+  const vtkShadowSettings settings(RegisterProbe("probe"));
+  const auto refuses = [](const std::function<void()>& read, const std::string& what,
+                         const std::vector<std::string>& words)
   {
-    ShadowTest::CheckEqual(probe->GetReal("widht"), 0.0, "GetReal");
-    ShadowTest::CheckOneMessage(Message::Error, words, "GetReal");
-    ShadowTest::CheckEqual(probe->GetInteger("widht"), 0.0, "GetInteger");
-    ShadowTest::CheckOneMessage(Message::Error, words, "GetInteger");
-    ShadowTest::Check(!probe->GetBoolean("widht"), "GetBoolean");
-    ShadowTest::CheckOneMessage(Message::Error, words, "GetBoolean");
-    ShadowTest::Check(probe->GetText("widht").empty(), "GetText");
-    ShadowTest::CheckOneMessage(Message::Error, words, "GetText");
-  }
-  std::ostringstream text;
-  pass->Print(text);
-  ShadowTest::Check(text.str().find("widht") == std::string::npos, "a parameter was made of it");
+    try
+    {
+      read();
+      ShadowTest::Check(false, what + " gives a value");
+    }
+    catch (const std::logic_error& error)
+    {
+      for (const auto& word : words)
+      {
+        ShadowTest::Check(std::string(error.what()).find(word) != std::string::npos,
+          what + " does not say '" + word + "': " + error.what());
+      }
+    }
+  };
+  const std::vector<std::string> words = { "probe", "widht", "width", "samples" };
+  refuses([&] { settings.GetReal("widht"); }, "GetReal", words);
+  refuses([&] { settings.GetInteger("widht"); }, "GetInteger", words);
+  refuses([&] { settings.GetBoolean("widht"); }, "GetBoolean", words);
+  refuses([&] { settings.GetChoice("widht"); }, "GetChoice", words);
+  refuses([&] { settings.GetInteger("width"); }, "GetInteger of a real", { "width", "type" });
+
+  // The frame is drawn, without shadows, and the program told why, once.
+  ShadowStage stage;
+  stage.AddThings();
+  stage.AddLight(LightKind::Point);
+  stage.Render();
+  const Picture without = stage.GetPicture();
+  stage.Pass.TakeReference(vtkShadowTechniques::Create("probe"));
+  stage.Renderer->SetPass(stage.Pass);
+  stage.Render();
+  ShadowTest::CheckOneMessage(Message::Error, words, "a technique that misspells");
+  ShadowTest::Check(
+    stage.GetPicture().RGB == without.RGB, "the picture is another one than without");
+  stage.Render();
+  ShadowTest::CheckNoMessage("the second frame");
 }
 
 //------------------------------------------------------------------------------
@@ -248,7 +272,7 @@ SHADOW_TEST(Settings, LaterTechniques, Once)
   const auto pass = vtkSmartPointer<vtkShadowPass>::Take(
     vtkShadowTechniques::Create(vtkShadowTechniques::GetName(0)));
   const std::string own = pass->GetTechnique();
-  const vtkShadowTechnique* declared = vtkShadowTechniqueRegistration::Find(own);
+  const vtkShadowDeclaration* declared = vtkShadowTechniqueRegistration::Find(own);
   const char* first = vtkShadowTechniques::GetName(0);
   const int count = vtkShadowTechniques::GetNumberOfTechniques();
   for (int i = 0; i < 100; ++i)
@@ -345,7 +369,7 @@ SHADOW_TEST(Settings, LightThatIsNotThere, Each)
 // Planar techniques say once that nothing receives, until a plane is given.
 SHADOW_TEST(Settings, NoPlane, Each)
 {
-  if (!ShadowStage::Describe(technique).PlanarReceivers)
+  if (!ShadowStage::Describe(technique).Traits.PlanarReceivers)
   {
     return;
   }

@@ -170,7 +170,7 @@ Visibility ShadowOracle::GetHard(vtkLight* light, const std::string& technique) 
   glm::dvec3 position, focus;
   light->GetTransformedPosition(&position.x);
   light->GetTransformedFocalPoint(&focus.x);
-  const bool planar = !technique.empty() && ShadowStage::Describe(technique).PlanarReceivers;
+  const bool planar = !technique.empty() && ShadowStage::Describe(technique).Traits.PlanarReceivers;
   for (const auto& pixel : this->Pixels)
   {
     bool blocked =

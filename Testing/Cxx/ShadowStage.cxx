@@ -12,8 +12,8 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkShadowOpenGL.h"
 #include "vtkShadowTechniques.h"
-#include "vtkShadowVTKVersion.h"
 #include "vtkSphereSource.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkWindowToImageFilter.h"
@@ -299,8 +299,7 @@ bool ShadowStage::HasParameter(const std::string& technique, const std::string& 
     return std::any_of(
       list.begin(), list.end(), [&](const vtkShadowParameter& p) { return p.Name == name; });
   };
-  return has(ShadowStage::Describe(technique).Parameters) ||
-         has(vtkShadowPass::GetCommonParameters());
+  return has(ShadowStage::Describe(technique).Parameters) || has(vtkShadowParameter::GetCommon());
 }
 
 //------------------------------------------------------------------------------
@@ -311,7 +310,7 @@ bool ShadowStage::Supports(const std::string& technique, LightKind kind)
 }
 
 //------------------------------------------------------------------------------
-const vtkShadowTechnique& ShadowStage::Describe(const std::string& technique)
+const vtkShadowDeclaration& ShadowStage::Describe(const std::string& technique)
 {
   return *vtkShadowTechniqueRegistration::Find(technique);
 }

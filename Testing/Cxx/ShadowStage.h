@@ -10,8 +10,8 @@
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkShadowDeclaration.h"
 #include "vtkShadowPass.h"
-#include "vtkShadowTechnique.h"
 #include "vtkSmartPointer.h"
 
 #include <glm/mat3x3.hpp>
@@ -89,7 +89,7 @@ public:
   static bool HasParameter(const std::string& technique, const std::string& name);
   /** Whether the technique takes this kind of light at all. */
   static bool Supports(const std::string& technique, LightKind kind);
-  static const vtkShadowTechnique& Describe(const std::string& technique);
+  static const vtkShadowDeclaration& Describe(const std::string& technique);
 
   void Render();
   Visibility GetVisibility(int light = 0);

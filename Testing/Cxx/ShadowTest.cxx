@@ -4,7 +4,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
-#include "vtkShadowTechnique.h"
+#include "vtkShadowDeclaration.h"
 
 #include <algorithm>
 #include <chrono>

@@ -100,7 +100,7 @@ const Parameters Fine = { { "terminator", "smooth" }, { "resolution", "512" } };
 
 bool HasCurvedReceivers(const std::string& technique)
 {
-  return !ShadowStage::Describe(technique).PlanarReceivers;
+  return !ShadowStage::Describe(technique).Traits.PlanarReceivers;
 }
 }
 

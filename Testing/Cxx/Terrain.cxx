@@ -158,7 +158,7 @@ SHADOW_TEST(Terrain, BentQuadHidesNothing, Each)
         stage.AddLight(LightKind::Point, { 0.0, 0.0, 20.0 }, glm::dvec3(0.0));
         stage.LookAt({ 0.0, -4.0, 4.0 }, glm::dvec3(0.0));
       });
-    if (ShadowStage::Describe(technique).PlanarReceivers)
+    if (ShadowStage::Describe(technique).Traits.PlanarReceivers)
     {
       ShadowTest::TakeMessages(); // nothing is flat
     }
@@ -223,7 +223,7 @@ SHADOW_TEST(Terrain, CellsAreTheTrianglesThatAreDrawn, Each)
 SHADOW_TEST(Terrain, HillsAgainstRays, Each)
 {
   if (!vtkShadowTechniqueRegistration::Find("ray-traced") ||
-      ShadowStage::Describe(technique).PlanarReceivers)
+      ShadowStage::Describe(technique).Traits.PlanarReceivers)
   {
     return;
   }

@@ -70,13 +70,13 @@ bool shadowFindPixel(vec3 positionVC, float footprint, out ivec2 pixel)
 #endif
 
 #if defined(SHADOW_BUFFER) || defined(SHADOW_FORWARD)
-uniform float shadowAttenuation[SHADOW_LIGHTS]; // 0 on a prop that does not receive
+uniform float shadowAttenuation[SHADOW_LIGHTS]; // times the share; 0 on a prop that does not receive
 
 // Of a loop over the lights, where it stays one.
 uniform int shadowLightCount;
 
-// The factor of a light's colour.
-SHADOW_VISIBILITY shadowFactor(int light, vec3 positionVC, vec3 normalVC, float footprint)
+// What is seen of a part of a light.
+SHADOW_VISIBILITY shadowSee(int light, vec3 positionVC, vec3 normalVC, float footprint)
 {
   SHADOW_VISIBILITY visibility = SHADOW_VISIBILITY(1.0);
 #ifdef SHADOW_BUFFER
@@ -98,6 +98,6 @@ SHADOW_VISIBILITY shadowFactor(int light, vec3 positionVC, vec3 normalVC, float 
     visibility = shadowVisibility(light, positionVC, normalVC);
   }
 #endif
-  return 1.0 - shadowAttenuation[light] * (1.0 - visibility);
+  return visibility;
 }
 #endif

@@ -1,0 +1,20 @@
+#include "vtkPercentageCloserFilteringTechnique.h"
+
+#include "vtkPercentageCloserFilteringFS.h"
+#include "vtkShadowFrame.h"
+#include "vtkShadowMapConstantFS.h"
+#include "vtkShadowMapPattern.h"
+#include "vtkShadowMapPatternFS.h"
+
+//------------------------------------------------------------------------------
+void vtkPercentageCloserFilteringTechnique::UpdatePatterns(vtkShadowFrame& frame)
+{
+  this->Filter->SetGrid(frame.Window, this->Settings.GetInteger("kernel"));
+}
+
+//------------------------------------------------------------------------------
+std::string vtkPercentageCloserFilteringTechnique::GetFilterGLSL()
+{
+  return std::string(vtkShadowMapConstantFS) + vtkShadowMapPatternFS +
+         vtkPercentageCloserFilteringFS;
+}

@@ -1,0 +1,21 @@
+#include "vtkPercentageCloserSoftShadowTechnique.h"
+
+#include "vtkPercentageCloserSoftShadowFS.h"
+#include "vtkShadowFrame.h"
+#include "vtkShadowMapPattern.h"
+#include "vtkShadowMapPatternFS.h"
+#include "vtkShadowMapSearchFS.h"
+
+//------------------------------------------------------------------------------
+void vtkPercentageCloserSoftShadowTechnique::UpdatePatterns(vtkShadowFrame& frame)
+{
+  this->Search->SetSobol(frame.Window, this->Settings.GetInteger("search"), true);
+  this->Filter->SetSobol(frame.Window, this->Settings.GetInteger("samples"), false);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkPercentageCloserSoftShadowTechnique::GetFilterGLSL()
+{
+  return std::string(vtkShadowMapSearchFS) + vtkShadowMapPatternFS +
+         vtkPercentageCloserSoftShadowFS;
+}
