@@ -71,7 +71,11 @@ bool vtkDepthMapTechnique::UpdateMaps(vtkShadowFrame& frame, int samples, double
 //------------------------------------------------------------------------------
 std::string vtkDepthMapTechnique::GetVisibilityGLSL()
 {
-  return this->Maps->GetGLSL() + vtkShadowMapsFS;
+  // A light's height is found for the bias, wherever it has a map.
+  const bool tellsAway = this->Maps->HasViewOfEach();
+  return this->Maps->GetGLSL() +
+         (tellsAway ? "#ifdef SHADOW_HARD\n#define SHADOW_TELLS_AWAY\n#endif\n" : "") +
+         vtkShadowMapsFS;
 }
 
 //------------------------------------------------------------------------------

@@ -433,6 +433,14 @@ void vtkShadowMaps::AddKernelVectors(const vtkShadowLightPart& part, const View&
 }
 
 //------------------------------------------------------------------------------
+bool vtkShadowMaps::HasViewOfEach() const
+{
+  return this->Current.Samples == 1 && this->Few &&
+         std::all_of(this->Parts.begin(), this->Parts.end(),
+           [](const PartState& part) { return part.Count > 0; });
+}
+
+//------------------------------------------------------------------------------
 bool vtkShadowMaps::IsOverlapExceeded() const
 {
   return std::any_of(

@@ -69,6 +69,8 @@ public:
 
   vtkShadowTexture& GetTexture() { return this->Maps; }
   int GetNumberOfViews() const { return static_cast<int>(this->Views.size()); }
+  /** Each part of a light has a view from its centre, and no others. */
+  bool HasViewOfEach() const;
   /** Some light's look-ups reach further than its views show, and are drawn in. */
   bool IsOverlapExceeded() const;
   /** What vtkShadowMapSettings::Separation makes of a light's casters, in world units. */

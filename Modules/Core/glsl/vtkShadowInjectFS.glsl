@@ -88,6 +88,9 @@ SHADOW_VISIBILITY shadowSee(int light, vec3 positionVC, vec3 normalVC, float foo
 #else
   shadowSelf = shadowCasts;
   shadowPropRounding = shadowRoundingOfProp;
+#ifdef SHADOW_TELLS_AWAY
+  visibility = shadowVisibility(light, positionVC, normalVC);
+#else
   // A branch, so that loops within end at once: software rasterizers too run them no further.
   if (shadowFacesAway(light, positionVC, normalVC))
   {
@@ -97,6 +100,7 @@ SHADOW_VISIBILITY shadowSee(int light, vec3 positionVC, vec3 normalVC, float foo
   {
     visibility = shadowVisibility(light, positionVC, normalVC);
   }
+#endif
 #endif
   return visibility;
 }

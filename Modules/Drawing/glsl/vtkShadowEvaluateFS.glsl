@@ -25,6 +25,9 @@ void main()
     vec3 normalVC = receiver.normalVC;
     shadowPropRounding = receiver.rounding;
     shadowSelf = receiverVC.w > 0.0;
+#ifdef SHADOW_TELLS_AWAY
+    visibility = shadowVisibility(shadowLight, receiverVC.xyz, normalVC);
+#else
     if (shadowFacesAway(shadowLight, receiverVC.xyz, normalVC))
     {
       visibility = SHADOW_VISIBILITY(1.0 - shadowShare);
@@ -33,6 +36,7 @@ void main()
     {
       visibility = shadowVisibility(shadowLight, receiverVC.xyz, normalVC);
     }
+#endif
   }
 #ifdef SHADOW_QUANTITY
   gl_FragData[0] = vec4(SHADOW_QUANTITY);

@@ -3,7 +3,8 @@
 // (see vtkShadowLightPart).
 //
 // SHADOW_LIGHTS is their number. SHADOW_VISIBILITY is float, or vec3 where a light is textured.
-// SHADOW_HARD is defined where a light counts as its centre.
+// SHADOW_HARD is defined where a light counts as its centre. A technique's GLSL may define
+// SHADOW_TELLS_AWAY: then it finds no light itself where shadowFacesAway is true, and is not asked before.
 
 // The pixel of the screen-space buffers. Their evaluation draws into the like of them; a prop may be
 // drawn beside a window's origin, or by a delegate into a larger picture of the same view.

@@ -24,13 +24,6 @@ uniform int shadowFirstLayer; // the view that layer 0 holds
 #define SHADOW_VIEW(view, vector) texelFetch(shadowViews, SHADOW_VIEW_VECTORS * (view) + (vector))
 #endif
 
-// To the place that the view looks from, or, for a directional light, its direction.
-vec3 shadowTowards(int view, vec3 positionVC)
-{
-  vec3 placeVC = vec3(SHADOW_VIEW(view, 4).w, SHADOW_VIEW(view, 5).w, SHADOW_VIEW(view, 6).w);
-  return SHADOW_VIEW(view, 3).xyz == vec3(0.0) ? placeVC : placeVC - positionVC;
-}
-
 // Where the map has the receiver, nearer to the light by as much as takes it above its plane by what its
 // position may be off: only its depth changes. Behind the light, w is negative: the quotient of a tiny
 // one lies far outside of the map. Maps have a clear border, so outside there is light. `height` is how
@@ -82,10 +75,10 @@ float shadowBias(vec2 rise, vec2 uphill)
   return dot(abs(rise), uphill + 1.0 / 32.0);
 }
 
-// Where one look-up finds the receiver in the map, and the depth that it compares with.
-vec3 shadowPlaceReceiver(int view, vec3 positionVC, vec3 normalVC)
+// Where one look-up finds the receiver in the map, and the depth that it compares with; and how far along
+// the normal the light is.
+vec3 shadowPlaceReceiver(int view, vec3 positionVC, vec3 normalVC, out float height)
 {
-  float height;
   vec3 receiverLC = shadowProjectReceiver(view, positionVC, normalVC, height);
   vec2 rise =
     vec2(dot(normalVC, SHADOW_VIEW(view, 4).xyz), dot(normalVC, SHADOW_VIEW(view, 5).xyz)) /
