@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Everything from outside, found once. Debian package names stand in packages.txt.
 
 if (SOFTSHADOWS_WRAP_PYTHON)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # What is built. Each family of techniques is an option; turning it off leaves out its dependency.
 
 if (NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
@@ -13,6 +14,7 @@ option(SOFTSHADOWS_SHADOW_VOLUMES "Stencil shadow volumes (OpenMesh): volume-*" 
 option(SOFTSHADOWS_RAY_TRACING "Ray-traced reference (Embree): ray-traced" ON)
 option(SOFTSHADOWS_IMAGE_METRICS "Reading, writing and comparing pictures (OpenImageIO)" ON)
 option(SOFTSHADOWS_SCENES "Built-in scenes" ON)
+option(SOFTSHADOWS_WERROR "Warnings of our own sources are errors" OFF)
 include(CTest)
 
 foreach (pair IN ITEMS
@@ -66,7 +68,8 @@ function (softshadows_warnings target)
   endif ()
   target_compile_options("${target}" PRIVATE
     $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>
-    $<$<CXX_COMPILER_ID:GNU,Clang>:-Wall -Wextra -Wno-unused-parameter>)
+    $<$<CXX_COMPILER_ID:GNU,Clang>:-Wall -Wextra -Wno-unused-parameter>
+    $<$<AND:$<BOOL:${SOFTSHADOWS_WERROR}>,$<CXX_COMPILER_ID:GNU,Clang>>:-Werror>)
 endfunction ()
 
 # GLSL files of a module's glsl/, by name, as strings: adds to its lists sources and private_headers.

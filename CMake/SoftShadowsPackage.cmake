@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # find_package(VTKSoftShadows) for projects outside.
 
 include(CMakePackageConfigHelpers)

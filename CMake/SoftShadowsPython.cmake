@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Python package vtksoftshadows: the wrapped modules and an __init__ that puts every class on top.
 
 if (NOT SOFTSHADOWS_WRAP_PYTHON)
@@ -29,4 +30,21 @@ configure_file(
   "${CMAKE_BINARY_DIR}/lib/python/vtksoftshadows/__init__.py" @ONLY)
 install(
   FILES "${CMAKE_BINARY_DIR}/lib/python/vtksoftshadows/__init__.py"
+  DESTINATION "lib/python/vtksoftshadows")
+
+# Stubs, for editors and type checkers: from the package itself, once it is there.
+set(softshadows_stubs "${CMAKE_BINARY_DIR}/lib/python/vtksoftshadows/__init__.pyi")
+add_custom_target(softshadows_stubs ALL
+  COMMAND "${CMAKE_COMMAND}" -E env "PYTHONPATH=${CMAKE_BINARY_DIR}/lib/python"
+    "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/CMake/write_stubs.py" "${softshadows_stubs}"
+  COMMAND "${CMAKE_COMMAND}" -E touch "${CMAKE_BINARY_DIR}/lib/python/vtksoftshadows/py.typed"
+  BYPRODUCTS "${softshadows_stubs}"
+  COMMENT "Writing the stubs of vtksoftshadows"
+  VERBATIM)
+foreach (module IN LISTS softshadows_modules)
+  _vtk_module_get_module_property("${module}" PROPERTY "library_name" VARIABLE library)
+  add_dependencies(softshadows_stubs "${library}Python")
+endforeach ()
+install(
+  FILES "${softshadows_stubs}" "${CMAKE_BINARY_DIR}/lib/python/vtksoftshadows/py.typed"
   DESTINATION "lib/python/vtksoftshadows")

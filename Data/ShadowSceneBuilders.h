@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * The builders of the scenes, one function each. To add a scene: write a builder, declare it here
  * and give it a row in the table of vtkShadowScenes.cxx.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * The bunny: found as bunny.ply, or modelled. See vtkShadowScenes for where it is looked for.
  */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ShadowSceneMesh
  * @brief   Collects triangles with point normals: grids, spheres, tubes, boxes, beams.

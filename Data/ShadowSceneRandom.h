@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ShadowSceneRandom
  * @brief   Pseudo-random numbers that are the same on every machine.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * What the builders share: actors, floors, lights and cameras. All lengths are world units.
  */

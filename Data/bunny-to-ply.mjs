@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Converts the arrays of the npm package "bunny" to an ASCII PLY file.
 //
 //   node bunny-to-ply.mjs PACKAGE_DIR OUT.ply

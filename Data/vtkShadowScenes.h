@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkShadowScenes
  * @brief   Built-in scenes by name, and a ground, a light and a camera for scenes of one's own.

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Write the generated parts of the techniques' pages from the declarations.
 
     generate.py            rewrite Documentation/techniques/*.md between the markers

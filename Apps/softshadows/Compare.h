@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // softshadows compare: the techniques against the ray-traced reference, or two pictures.
 
 #ifndef Compare_h

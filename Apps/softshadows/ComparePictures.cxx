@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // softshadows compare PICTURE REFERENCE.
 
 #include "Compare.h"

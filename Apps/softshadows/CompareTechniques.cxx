@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // softshadows compare (MODEL... | --scene NAME).
 
 #include "Compare.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What goes wrong, and how the command says so: each failure is one line on stderr and an exit code.
 
 #ifndef Errors_h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Ctrl-C during long work that has something to show for what was done.
 
 #ifndef Interruption_h

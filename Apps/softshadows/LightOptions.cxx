@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The options of the light: their part of SceneOptions.
 
 #include "Errors.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // softshadows list: the techniques with their parameters, and the built-in scenes.
 
 #ifndef List_h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a file gave, made into triangles that can be drawn.
 
 #ifndef Meshes_h

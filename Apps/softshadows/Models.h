@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Reading polygon files, as actors ready to be drawn.
 
 #ifndef Models_h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What vtkOBJReader of VTK 9.1 does not see: points that are no numbers.
 
 #ifndef ObjFile_h

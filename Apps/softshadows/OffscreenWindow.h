@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A window that nobody sees, to draw pictures in.
 
 #ifndef OffscreenWindow_h

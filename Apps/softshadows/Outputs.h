@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The files that a command writes: all of them when everything has succeeded, or none.
 
 #ifndef Outputs_h

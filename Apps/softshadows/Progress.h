@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How far long work has come, on a terminal.
 
 #ifndef Progress_h

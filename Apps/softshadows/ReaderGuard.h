@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Keeps a reader that prints or crashes on a damaged file from doing so in front of the user.
 
 #ifndef ReaderGuard_h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the techniques are measured against: rays.
 
 #ifndef References_h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // softshadows render: draw models or a scene with one technique, into a picture.
 
 #ifndef Render_h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is drawn and how it is lit, as the command line says it: the same for every subcommand.
 
 #ifndef SceneOptions_h

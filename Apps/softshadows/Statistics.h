@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Figures that several subcommands give.
 
 #ifndef Statistics_h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Techniques as the command line names them: a name, a quality, and parameters.
 
 #ifndef Techniques_h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Values on the command line that are more than one number. Text of another form is wrong usage.
 
 #ifndef Values_h

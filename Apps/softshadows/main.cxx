@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The command softshadows: exit code 0 when done, 1 for a failure it names, 2 for wrong usage,
 // 130 when the user ended it.
 

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """A light kit and a lamp, each with shadows of its own, or none: many_lights.py picture.png"""
 
 import sys

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Caffeine, of ball and stick imposters, with soft shadows: molecule.py picture.png"""
 
 import sys

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """An ordinary VTK program, and the one line that gives it soft shadows: one_line.py picture.png"""
 
 import sys

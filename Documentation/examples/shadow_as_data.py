@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Hours of sun in a courtyard over a day, by visibility as data: shadow_as_data.py picture.png"""
 
 import sys

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """A model and its shadow, with alpha, laid over another picture: shadow_catcher.py picture.png
 
 Given a second name, the model and its shadow alone are written there, to be laid over anything.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A cone and a sphere over a plane, lit by an area light: soft_shadows picture.png
 
 #include <vtkActor.h>

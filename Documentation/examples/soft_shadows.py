@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """A cone and a sphere over a plane, lit by an area light: soft_shadows.py picture.png"""
 
 import sys

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Panes whose shadows are as dark as they are opaque: translucent.py picture.png"""
 
 import sys

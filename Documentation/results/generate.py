@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Write the tables of README.md, and SUITE/results.csv, from what softshadows bench measured.
 
     generate.py RESULTS            from RESULTS/SUITE/results.json, rewrite the page between its markers

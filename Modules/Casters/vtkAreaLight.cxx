@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAreaLight.h"
 
 #include "vtkObjectFactory.h"

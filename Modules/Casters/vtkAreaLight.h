@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkAreaLight
  * @brief   A light with a size, which therefore casts soft shadows.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where a surface has holes by its own alpha: its colours' times its texture's. The opacity of its
 // property, or of its block, is no part of it.
 //

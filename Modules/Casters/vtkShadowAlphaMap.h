@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A texture's alpha on the CPU: where a surface that it lies on has holes.
 
 #ifndef vtkShadowAlphaMap_h

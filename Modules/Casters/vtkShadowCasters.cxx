@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowCasters.h"
 
 #include "vtkActor.h"
@@ -48,7 +49,7 @@ std::size_t Sum(const std::vector<vtkShadowCaster>& casters, Count count)
     [&count](std::size_t sum, const vtkShadowCaster& c) { return sum + count(*c.Mesh); });
 }
 
-/** A mesh in the world: what Update gathers before it knows the origin of WC. */
+/** A mesh in the world: what Update gathers before it knows the origin of SWC. */
 struct Placed
 {
   std::shared_ptr<const vtkShadowMesh> Mesh;
@@ -97,13 +98,13 @@ bool vtkShadowCaster::IsSeenBy(const vtkShadowLightPart& part) const
 //------------------------------------------------------------------------------
 glm::dvec3 vtkShadowCaster::GetMiddle() const
 {
-  return { this->MeshToWC * glm::dvec4(this->Mesh->Middle, 1.0) };
+  return { this->MeshToSWC * glm::dvec4(this->Mesh->Middle, 1.0) };
 }
 
 //------------------------------------------------------------------------------
 double vtkShadowCaster::GetRadius() const
 {
-  const glm::dmat3 axes(this->MeshToWC);
+  const glm::dmat3 axes(this->MeshToSWC);
   return this->Mesh->Radius *
          std::max({ glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]) });
 }
@@ -216,18 +217,18 @@ bool vtkShadowCasters::Update(
 
   std::vector<vtkShadowCaster> casters;
   casters.reserve(placed.size());
-  const glm::dmat4 worldToWC = glm::translate(glm::dmat4(1.0), -this->Origin);
+  const glm::dmat4 worldToSWC = glm::translate(glm::dmat4(1.0), -this->Origin);
   for (const auto& item : placed)
   {
-    vtkShadowCaster caster{ item.Mesh, item.Prop, worldToWC * item.MeshToWorld, item.Opacity,
+    vtkShadowCaster caster{ item.Mesh, item.Prop, worldToSWC * item.MeshToWorld, item.Opacity,
       item.Receives, {} };
     changed = changed || meshesChanged ||
-              caster.MeshToWC != this->Casters[casters.size()].MeshToWC ||
+              caster.MeshToSWC != this->Casters[casters.size()].MeshToSWC ||
               caster.Opacity != this->Casters[casters.size()].Opacity;
     caster.Corners = BoxCorners(item.Mesh->Minimum, item.Mesh->Maximum);
     for (auto& corner : caster.Corners)
     {
-      corner = glm::dvec3(caster.MeshToWC * glm::dvec4(corner, 1.0));
+      corner = glm::dvec3(caster.MeshToSWC * glm::dvec4(corner, 1.0));
     }
     casters.push_back(std::move(caster));
   }

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The triangles that cast shadows, gathered from the props of a renderer and kept while unchanged.
 //
 // On the CPU each mesh keeps float positions relative to its own centre and triangle indices; each
-// caster is a mesh and a matrix, composed in double precision, to WC: world axes with the origin at
+// caster is a mesh and a matrix, composed in double precision, to SWC: world axes with the origin at
 // GetOrigin(), so that scenes far from the world's origin lose nothing. Meshes are shared with the
 // ray tracer (one BVH each) and, from the families that need it, the adjacency.
 //
@@ -44,18 +45,18 @@ struct VTKSOFTSHADOWSCASTERS_EXPORT vtkShadowCaster
 {
   std::shared_ptr<const vtkShadowMesh> Mesh;
   vtkProp* Prop = nullptr; // whose it is; not to be used beyond the frame
-  glm::dmat4 MeshToWC{ 1.0 };
+  glm::dmat4 MeshToSWC{ 1.0 };
   /** Of parts of the lights (vtkShadowLightPart::LeastOpacity), those up to this one see it. */
   double Opacity = 1.0;
   /** Its prop, or the assembly that this is a part of, receives shadows. */
   bool Receives = true;
-  /** Corners of the mesh's box in WC. */
+  /** Corners of the mesh's box in SWC. */
   std::array<glm::dvec3, 8> Corners;
 
   /** Whether a part of a light has it in its way. */
   bool IsSeenBy(const vtkShadowLightPart& part) const;
 
-  ///@{ A sphere around it, in WC.
+  ///@{ A sphere around it, in SWC.
   glm::dvec3 GetMiddle() const;
   double GetRadius() const;
   ///@}
@@ -80,15 +81,15 @@ public:
     int levels = 0, double alphaThreshold = 0.5);
 
   const std::vector<vtkShadowCaster>& Get() const { return this->Casters; }
-  /** Boxes of visible props that do not cast but can receive, as eight corners in WC. */
+  /** Boxes of visible props that do not cast but can receive, as eight corners in SWC. */
   const std::vector<std::array<glm::dvec3, 8>>& GetReceivers() const { return this->Receivers; }
 
   /** The opacities of translucent casters that count by them, ascending. */
   const std::vector<double>& GetOpacities() const { return this->Opacities; }
 
-  /** Origin of WC in the world. It stays until the casters leave its neighbourhood. */
+  /** Origin of SWC in the world. It stays until the casters leave its neighbourhood. */
   const glm::dvec3& GetOrigin() const { return this->Origin; }
-  /** Mean of the middles of some casters' boxes, in WC. */
+  /** Mean of the middles of some casters' boxes, in SWC. */
   glm::dvec3 GetMiddle(const std::vector<int>& casters) const;
   /** Diagonal of the box around all casters, in world units. */
   double GetSize() const { return this->Size; }

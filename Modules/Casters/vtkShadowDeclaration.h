@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The declaration of a technique: what the pass, the command, the viewer, the benchmark, Python and the
 // documentation know of it. A family module fills one of these for each name and registers it with
 // vtkShadowTechniqueRegistration; nothing else in the project repeats what stands here.

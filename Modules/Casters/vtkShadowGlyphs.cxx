@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowGlyphs.h"
 
 #include "vtkBitArray.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The polygons of mappers that make their geometry on the GPU; see vtkShadowSurfaces.h.
 
 #ifndef vtkShadowGlyphs_h

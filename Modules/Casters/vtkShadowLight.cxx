@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowLight.h"
 
 #include "vtkAreaLight.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One casting light of one frame, as plain values in double precision: what every technique reads
 // instead of the vtkLight, and what tells whether a light changed since its data was built.
 

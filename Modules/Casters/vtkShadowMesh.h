@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The triangles of one vtkPolyData, ready to cast shadows.
 
 #ifndef vtkShadowMesh_h

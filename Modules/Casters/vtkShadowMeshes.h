@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The meshes of surfaces, and the maps of their alpha, kept while they are unchanged.
 
 #ifndef vtkShadowMeshes_h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Numbers as text, the same in every locale: where the user's language has a decimal comma, any Qt
 // program makes strtod, printf and the streams read and write one.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A parameter of a technique: its declaration, and what a text says as its value.
 
 #ifndef vtkShadowParameter_h

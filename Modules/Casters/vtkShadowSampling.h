@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Sampling patterns that all techniques share.
 //
 // Sobol's first two dimensions: every power-of-two prefix is a (0,2)-net in base 2, that is,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The values of a technique's parameters.
 
 #ifndef vtkShadowSettings_h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a prop draws that can cast a shadow: polygons, also where its mapper makes them on the GPU.
 //
 //   polygons of the input    as they are; the blocks of composite data each for itself

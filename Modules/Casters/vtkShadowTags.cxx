@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowTags.h"
 
 #include "vtkAbstractMapper3D.h"

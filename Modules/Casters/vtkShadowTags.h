@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What users say of single props and lights: who casts, receives and catches shadows; and the parts of a
 // prop, for which its tags hold. vtkShadowPass shows these to users and documents them.
 

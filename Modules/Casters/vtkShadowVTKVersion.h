@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What differs between the VTK versions, 9.1 to 9.7: sources include this in the place of what was
 // renamed or moved.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The debug views of a pass: see vtkShadowPass::SetDebugView.
 
 #ifndef vtkShadowDebugViews_h

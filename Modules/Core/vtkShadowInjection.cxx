@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowInjection.h"
 
 #include "vtkShaderProgram.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The text work of injecting visibility into VTK's shaders: see architecture.md.
 
 #ifndef vtkShadowInjection_h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a pass puts into the shaders of VTK's mappers, and its uniforms there: see vtkShadowInjection for
 // the text. A mapper knows of it by the pass's key in its prop's keys (Marks).
 

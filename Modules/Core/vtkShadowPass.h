@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkShadowPass
  * @brief   What VTK draws, with each light's colour times its visibility.
  *
  * @code{.cpp}
- * vtkNew<vtkShadowPass> shadows;
+ * vtkShadowPass* shadows = vtkShadowPass::New();
  * shadows->SetTechnique("map-soft"); // "map-pcss" without
  * renderer->SetPass(shadows);
  * @endcode

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Passes within passes: where in a renderer's chain a pass stands, and another put in its place.
 //
 // VTK's passes hold others as delegates (vtkCameraPass, vtkSSAAPass, all of vtkImageProcessingPass),

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The renderers of a vtkShadowPass: how it comes to one, what it holds for it, and when that ends.
 //
 // Mappers keep a pass in their caches long after it was taken off the renderer, so its end cannot be

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The settings of vtkShadowPass: technique, parameters, debug view, statistics.
 
 #include "vtkInformationIntegerKey.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The visibility of the last frame, for whoever asks a vtkShadowPass for it.
 
 #include "vtkOpenGLState.h"

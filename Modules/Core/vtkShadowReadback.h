@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Visibility as images, for whoever asks a pass for it.
 
 #ifndef vtkShadowReadback_h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowReceiverDrawing.h"
 
 #include "vtkActor.h"

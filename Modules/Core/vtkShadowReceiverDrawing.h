@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Draws a renderer's props into receivers: by VTK's own mappers, with the code that a vtkShadowInjector puts
 // into their shaders.
 

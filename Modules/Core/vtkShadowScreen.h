@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A picture's receivers and their visibility: of its opaque surfaces, or of the nearest translucent ones.
 
 #ifndef vtkShadowScreen_h

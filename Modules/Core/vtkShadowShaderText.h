@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is where in the text of a fragment shader that VTK and its user wrote: as much of GLSL's
 // grammar as it takes to find main(), its statements, and what a name stands for.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowStages.h"
 
 #include "vtkLight.h"
@@ -147,7 +148,8 @@ bool vtkShadowStages::SetCamera()
     VTKToClip = glm::make_mat4(vcdc->GetData());
   }
   const bool set = frame.SetCamera(
-    glm::transpose(glm::make_mat4(camera->GetModelViewTransformMatrix()->GetData())), VTKToClip);
+    glm::transpose(glm::make_mat4(camera->GetModelViewTransformMatrix()->GetData())), VTKToClip,
+    this->Casters.GetOrigin());
   if (!set)
   {
     frame.Messages->Warn("drawn without shadows: the camera's view transform flattens, is not "

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The stages of a frame up to visibility, and what they keep: lights, casters, the camera, the technique's
 // light data, the screen's buffers. See vtkShadowPass, which draws the receivers and the picture.
 

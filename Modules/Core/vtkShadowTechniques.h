@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkShadowTechniques
  * @brief   The shadow techniques by name: make one, list them, describe them.

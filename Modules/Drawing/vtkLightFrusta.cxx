@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLightFrusta.h"
 
 #include "vtkLightRegions.h"
@@ -190,7 +191,7 @@ bool vtkLightFrusta::IsOverlapExceeded(const vtkShadowCasters& casters) const
       for (std::size_t i = 0; i + 2 < positions.size(); i += 3)
       {
         const glm::dvec4 p(positions[i], positions[i + 1], positions[i + 2], 1.0);
-        if (glm::length(glm::dvec3(caster.MeshToWC * p) - position) < least)
+        if (glm::length(glm::dvec3(caster.MeshToSWC * p) - position) < least)
         {
           return true;
         }
@@ -248,7 +249,7 @@ std::vector<vtkLightView> vtkLightFrusta::GetDirectionalViews(const glm::dvec3& 
       rows[c] = glm::dvec4(axes[c], -centre[c]) * (2.0 / size[c]);
     }
     rows[3] = glm::dvec4(0.0, 0.0, 0.0, 1.0);
-    view.WCToClip = glm::transpose(rows);
+    view.SWCToClip = glm::transpose(rows);
     view.Clipped = group.Whole.ReachesOver(group.Needed);
     view.Place = towardsLight;
     view.WindowX = frame.X * size.x;
@@ -412,7 +413,7 @@ std::vector<vtkLightView> vtkLightFrusta::GetPerspectiveViews(const Aim& aim, in
     rows[2] =
       row(frame.Z * ((zFar + zNear) / (zFar - zNear)), -2.0 * zFar * zNear / (zFar - zNear));
     rows[3] = row(frame.Z, 0.0);
-    view.WCToClip = glm::transpose(rows);
+    view.SWCToClip = glm::transpose(rows);
     view.Place = aim.Position;
     view.Face = aim.Face;
     view.WindowX = frame.X * size.x;

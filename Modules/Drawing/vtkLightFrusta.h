@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Light frusta that hug the casters.
 //
 // A map needs to hold only what can put something else into shadow. A caster that is flat and has
@@ -30,7 +31,7 @@ struct vtkLightView
    * To clip coordinates: after division x, y and z run from -1 to 1, z rises with the distance.
    * Before it, w is the distance along the view axis in world units, or 1 for a directional light.
    */
-  glm::dmat4 WCToClip{ 1.0 };
+  glm::dmat4 SWCToClip{ 1.0 };
   /** Casters reach over its border: other faces go on there, a cone ends, or nothing is behind. */
   bool Clipped = false;
   /**
@@ -40,9 +41,9 @@ struct vtkLightView
   std::array<bool, 4> Cut{};
   /** One of the faces of a cube, which holds what lies within 45 degrees of its axis both ways. */
   bool Face = false;
-  /** Where it looks from, in WC; for a directional light, the direction towards the light. */
+  /** Where it looks from, in SWC; for a directional light, the direction towards the light. */
   glm::dvec3 Place{ 0.0 };
-  /** The view plane's axes as unit vectors in WC, times the window's size at w = 1. */
+  /** The view plane's axes as unit vectors in SWC, times the window's size at w = 1. */
   glm::dvec3 WindowX{ 0.0 };
   glm::dvec3 WindowY{ 0.0 };
   /**
@@ -98,7 +99,7 @@ public:
   bool IsOverlapExceeded(const vtkShadowCasters& casters) const;
 
   /**
-   * Views from one place on the light (see vtkLightSample), in WC: none, one for each group, or up to
+   * Views from one place on the light (see vtkLightSample), in SWC: none, one for each group, or up to
    * six. What one of them shows, none of the others does, but for what faces of a cube overlap.
    */
   std::vector<vtkLightView> GetViews(const glm::dvec3& place) const;
@@ -127,7 +128,7 @@ private:
   Options Wanted;
   bool Neighbours; // and the light has a size that carries look-ups
   double Extent = 0.0;
-  glm::dvec3 Origin{ 0.0 }; // of WC
+  glm::dvec3 Origin{ 0.0 }; // of SWC
   std::shared_ptr<const vtkLightRegions> Regions;
 };
 

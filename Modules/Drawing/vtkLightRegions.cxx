@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLightRegions.h"
 
 #include "vtkShadowCasters.h"
@@ -222,7 +223,7 @@ bool vtkLightRegions::FindPlane(
   Region& region, const vtkShadowLight& light, const vtkShadowCasters& casters) const
 {
   const vtkShadowCaster& caster = casters.Get()[region.Caster];
-  const glm::dmat3 linear(caster.MeshToWC);
+  const glm::dmat3 linear(caster.MeshToSWC);
   const glm::dvec3 normal = glm::transpose(glm::inverse(linear)) * caster.Mesh->Normal;
   const double length = glm::length(normal);
   if (!caster.Mesh->Flat || !(length > 0.0) || !std::isfinite(length))
@@ -230,7 +231,7 @@ bool vtkLightRegions::FindPlane(
     return false;
   }
   region.Normal = normal / length;
-  region.Point = glm::dvec3(caster.MeshToWC * glm::dvec4(caster.Mesh->PlanePoint, 1.0));
+  region.Point = glm::dvec3(caster.MeshToSWC * glm::dvec4(caster.Mesh->PlanePoint, 1.0));
   double lowest = std::numeric_limits<double>::max();
   double highest = std::numeric_limits<double>::lowest();
   for (const auto& place : light.GetExtremes())
@@ -254,11 +255,11 @@ bool vtkLightRegions::IsShell(
   {
     return false;
   }
-  const glm::dmat4 WCToMesh = glm::inverse(caster.MeshToWC);
+  const glm::dmat4 SWCToMesh = glm::inverse(caster.MeshToSWC);
   for (const auto& extreme : light.GetExtremes())
   {
     const glm::dvec3 place = extreme - casters.GetOrigin();
-    const glm::dvec3 p(WCToMesh * glm::dvec4(place, 1.0));
+    const glm::dvec3 p(SWCToMesh * glm::dvec4(place, 1.0));
     if (!(glm::all(glm::lessThan(mesh.Minimum, p)) && glm::all(glm::lessThan(p, mesh.Maximum))))
     {
       return false;
@@ -272,7 +273,8 @@ bool vtkLightRegions::IsShell(
       for (int k = 0; k < 3; ++k)
       {
         const float* position = &mesh.Positions[3 * mesh.Indices[i + k]];
-        v[k] = glm::dvec3(caster.MeshToWC * glm::dvec4(position[0], position[1], position[2], 1.0));
+        v[k] =
+          glm::dvec3(caster.MeshToSWC * glm::dvec4(position[0], position[1], position[2], 1.0));
       }
       Region face;
       face.Point = v[0];

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What of the casters a light's maps have to hold.
 //
 // A caster that is flat and has nothing behind it as the light sees it (a floor under everything) is

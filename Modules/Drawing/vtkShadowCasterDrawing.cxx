@@ -1,10 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowCasterDrawing.h"
 
-#include "vtkNew.h"
 #include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
-#include "vtkOpenGLVertexArrayObject.h"
 #include "vtkShaderProgram.h"
 #include "vtkShadowCasterFS.h"
 #include "vtkShadowCasterVS.h"
@@ -23,7 +21,6 @@
 #include <map>
 #include <numeric>
 #include <set>
-#include <tuple>
 
 namespace
 {
@@ -86,14 +83,6 @@ std::vector<Chunk> MakeChunks(const vtkShadowMesh& mesh)
 }
 }
 
-/** A program, and the vertex array that is bound to its attributes. */
-struct vtkShadowCasterDrawing::Program
-{
-  vtkSmartPointer<vtkShaderProgram> Shaders;
-  vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
-  unsigned long MeshVersion = 0; // of the buffers that it is bound to
-};
-
 /** What lies on the GPU. */
 class vtkShadowCasterDrawing::Buffers
 {
@@ -104,8 +93,7 @@ public:
   vtkNew<vtkOpenGLBufferObject> Places; // of holes
   /** Of casters with holes; that of nullptr is 1 everywhere. */
   std::map<std::shared_ptr<const vtkShadowAlphaMap>, vtkSmartPointer<vtkTextureObject>> Maps;
-  using ProgramKey = std::tuple<const char*, const char*, const char*, std::string, bool>;
-  std::map<ProgramKey, Program> Programs;
+  vtkShadowPrograms Programs;
   /** Of each caster. */
   struct Place
   {
@@ -264,63 +252,51 @@ void vtkShadowCasterDrawing::Upload(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-vtkShadowCasterDrawing::Program* vtkShadowCasterDrawing::Bind(vtkOpenGLRenderWindow* window,
+vtkShadowPrograms::Program* vtkShadowCasterDrawing::Bind(vtkOpenGLRenderWindow* window,
   vtkOpenGLBufferObject* indices, const vtkShadowCasterDraw& how, bool holes)
 {
   Buffers& gpu = *this->GPU;
-  Program& entry = gpu.Programs[Buffers::ProgramKey(
-    how.VertexShader, how.GeometryShader, how.FragmentShader, how.Definitions, holes)];
-  vtkOpenGLShaderCache* cache = window->GetShaderCache();
-  if (!entry.Shaders)
-  {
-    std::string vertexShader = how.VertexShader ? how.VertexShader : vtkShadowCasterVS;
-    std::string fragmentShader = how.FragmentShader ? how.FragmentShader : vtkShadowCasterFS;
-    if (!how.Definitions.empty())
-    {
-      vtkShaderProgram::Substitute(
-        fragmentShader, "//VTK::Output::Dec", how.Definitions + "//VTK::Output::Dec");
-    }
-    if (holes)
+  const vtkShadowPrograms::Sources sources{ how.VertexShader ? how.VertexShader : vtkShadowCasterVS,
+    how.GeometryShader, how.FragmentShader ? how.FragmentShader : vtkShadowCasterFS,
+    how.Definitions, holes };
+  vtkShadowPrograms::Program* program = gpu.Programs.Use(window, sources,
+    [holes](std::string& vertex, std::string& fragment)
     {
       const auto replace = [](std::string& shader, const char* declaration, const char* call)
       {
         vtkShaderProgram::Substitute(shader, "//VTK::ShadowHoles::Dec", declaration);
         vtkShaderProgram::Substitute(shader, "//VTK::ShadowHoles::Impl", call);
       };
-      replace(vertexShader, vtkShadowHolesVS, "shadowPassPlace();");
-      replace(fragmentShader, vtkShadowHolesFS, "shadowDiscardHole();");
-    }
-    entry.Shaders = cache->ReadyShaderProgram(
-      vertexShader.c_str(), fragmentShader.c_str(), how.GeometryShader ? how.GeometryShader : "");
-  }
-  else if (!cache->ReadyShaderProgram(entry.Shaders))
+      if (holes)
+      {
+        replace(vertex, vtkShadowHolesVS, "shadowPassPlace();");
+        replace(fragment, vtkShadowHolesFS, "shadowDiscardHole();");
+      }
+    });
+  if (!program)
   {
     return nullptr;
   }
-  if (!entry.Shaders)
-  {
-    return nullptr; // the shader cache has reported why
-  }
   if (how.SetParameters)
   {
-    how.SetParameters(entry.Shaders);
+    how.SetParameters(program->Shaders);
+    program->VertexArray->Bind(); // whatever that bound
   }
-  entry.VertexArray->Bind();
-  if (entry.MeshVersion != gpu.MeshVersion)
+  if (program->Version != gpu.MeshVersion)
   {
-    entry.VertexArray->ShaderProgramChanged(); // attributes are to be bound anew
-    entry.VertexArray->Bind();
-    entry.VertexArray->AddAttributeArray(
-      entry.Shaders, gpu.Vertices, "vertexMC", 0, 3 * sizeof(float), VTK_FLOAT, 3, false);
+    program->VertexArray->ShaderProgramChanged(); // attributes are to be bound anew
+    program->VertexArray->Bind();
+    program->VertexArray->AddAttributeArray(
+      program->Shaders, gpu.Vertices, "vertexMC", 0, 3 * sizeof(float), VTK_FLOAT, 3, false);
     if (holes)
     {
-      entry.VertexArray->AddAttributeArray(
-        entry.Shaders, gpu.Places, "shadowPlace", 0, 3 * sizeof(float), VTK_FLOAT, 3, false);
+      program->VertexArray->AddAttributeArray(
+        program->Shaders, gpu.Places, "shadowPlace", 0, 3 * sizeof(float), VTK_FLOAT, 3, false);
     }
-    entry.MeshVersion = gpu.MeshVersion;
+    program->Version = gpu.MeshVersion;
   }
   indices->Bind();
-  return &entry;
+  return program;
 }
 
 //------------------------------------------------------------------------------
@@ -378,14 +354,14 @@ void vtkShadowCasterDrawing::DrawVisible(std::size_t caster, const glm::dmat4& M
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowCasterDrawing::Draw(vtkOpenGLRenderWindow* window, const glm::dmat4& WCToClip,
+void vtkShadowCasterDrawing::Draw(vtkOpenGLRenderWindow* window, const glm::dmat4& SWCToClip,
   const std::vector<int>& casters, const vtkShadowCasterDraw& how)
 {
   this->Upload(window);
   Buffers& gpu = *this->GPU;
   for (const bool holes : { false, true })
   {
-    Program* program = nullptr;
+    vtkShadowPrograms::Program* program = nullptr;
     for (const int i : casters)
     {
       const vtkShadowCaster& caster = this->Casters.Get()[i];
@@ -394,7 +370,7 @@ void vtkShadowCasterDrawing::Draw(vtkOpenGLRenderWindow* window, const glm::dmat
       {
         continue;
       }
-      const glm::dmat4 MCToClip = WCToClip * caster.MeshToWC;
+      const glm::dmat4 MCToClip = SWCToClip * caster.MeshToSWC;
       if (IsBeyond(MCToClip, caster.Mesh->Minimum, caster.Mesh->Maximum))
       {
         this->Culled += caster.Mesh->GetNumberOfTriangles();
@@ -430,12 +406,13 @@ void vtkShadowCasterDrawing::Draw(vtkOpenGLRenderWindow* window, const glm::dmat
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowCasterDrawing::DrawParts(vtkOpenGLRenderWindow* window, const glm::dmat4& WCToClip,
+void vtkShadowCasterDrawing::DrawParts(vtkOpenGLRenderWindow* window, const glm::dmat4& SWCToClip,
   unsigned int primitive, vtkOpenGLBufferObject* indices,
   const std::vector<vtkShadowCasterPart>& parts, const vtkShadowCasterDraw& how)
 {
   this->Upload(window);
-  Program* program = parts.empty() ? nullptr : this->Bind(window, indices, how, false);
+  vtkShadowPrograms::Program* program =
+    parts.empty() ? nullptr : this->Bind(window, indices, how, false);
   if (!program)
   {
     return;
@@ -443,7 +420,7 @@ void vtkShadowCasterDrawing::DrawParts(vtkOpenGLRenderWindow* window, const glm:
   for (const auto& part : parts)
   {
     const vtkShadowCaster& caster = this->Casters.Get()[part.Caster];
-    this->SetCaster(program->Shaders, WCToClip * caster.MeshToWC, caster, how);
+    this->SetCaster(program->Shaders, SWCToClip * caster.MeshToSWC, caster, how);
     glDrawElementsBaseVertex(primitive, static_cast<GLsizei>(part.Count), GL_UNSIGNED_INT,
       reinterpret_cast<const void*>(part.First * sizeof(std::uint32_t)),
       this->GPU->PlaceOf[part.Caster].FirstVertex);
@@ -462,11 +439,7 @@ void vtkShadowCasterDrawing::ReleasePrograms()
 {
   if (this->GPU)
   {
-    for (auto& entry : this->GPU->Programs)
-    {
-      entry.second.VertexArray->ReleaseGraphicsResources();
-    }
-    this->GPU->Programs.clear();
+    this->GPU->Programs.Release();
   }
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Draws vtkShadowCasters on the GPU, from buffers that are made when something is first drawn.
 //
 //   vertices  buffer        12 bytes a vertex of each mesh
@@ -9,14 +10,12 @@
 // half the time of one call for all with the matrices in a texture. Large meshes lie in chunks with
 // bounds. What a view does not show is not drawn. Casters with holes come first in the buffers; they
 // alone are drawn by a shader that discards.
-//
-// Programs are found by where the texts of their shaders lie, which are constants, and by what is
-// defined for them: to hash the text for each draw call took longer than the draw.
 
 #ifndef vtkShadowCasterDrawing_h
 #define vtkShadowCasterDrawing_h
 
 #include "vtkShadowCasters.h"            // For casters
+#include "vtkShadowPrograms.h"           // For programs
 #include "vtkSoftShadowsDrawingModule.h" // For export macro
 
 #include <glm/mat4x4.hpp>
@@ -70,13 +69,13 @@ public:
    * Draw the triangles of casters (indices into Get()), but for their holes, into the bound
    * framebuffer. Left out are casters, and chunks of large ones, that lie beyond a side of the picture.
    */
-  void Draw(vtkOpenGLRenderWindow* window, const glm::dmat4& WCToClip,
+  void Draw(vtkOpenGLRenderWindow* window, const glm::dmat4& SWCToClip,
     const std::vector<int>& casters, const vtkShadowCasterDraw& how = {});
   /**
    * Draw parts of casters, holes and all, by 32-bit indices of a primitive type of OpenGL's. None is
    * left out: shaders may move them into the picture.
    */
-  void DrawParts(vtkOpenGLRenderWindow* window, const glm::dmat4& WCToClip, unsigned int primitive,
+  void DrawParts(vtkOpenGLRenderWindow* window, const glm::dmat4& SWCToClip, unsigned int primitive,
     vtkOpenGLBufferObject* indices, const std::vector<vtkShadowCasterPart>& parts,
     const vtkShadowCasterDraw& how);
 
@@ -101,10 +100,9 @@ public:
 
 private:
   class Buffers;
-  struct Program;
 
   void Upload(vtkOpenGLRenderWindow* window);
-  Program* Bind(vtkOpenGLRenderWindow* window, vtkOpenGLBufferObject* indices,
+  vtkShadowPrograms::Program* Bind(vtkOpenGLRenderWindow* window, vtkOpenGLBufferObject* indices,
     const vtkShadowCasterDraw& how, bool holes);
   void SetCaster(vtkShaderProgram* program, const glm::dmat4& MCToClip,
     const vtkShadowCaster& caster, const vtkShadowCasterDraw& how);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What changed since the last frame for light data that is kept by parts of lights: the rule by which
 // every technique keeps or rebuilds them.
 

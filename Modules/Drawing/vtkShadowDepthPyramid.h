@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The least and the greatest depth of every region of depth maps: tells which receivers are surely
 // lit or surely dark, without looking at single texels.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowGL.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -9,6 +10,8 @@
 #include "vtkTextureUnitManager.h"
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 //------------------------------------------------------------------------------
 bool vtkShadowTexture::Allocate(
@@ -40,7 +43,10 @@ bool vtkShadowTexture::Allocate(
     { GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, 4 },
     { GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV, 8 },
     { GL_R32F, GL_RED, GL_FLOAT, 4 }, { GL_RG32F, GL_RG, GL_FLOAT, 8 },
-    { GL_RGBA32F, GL_RGBA, GL_FLOAT, 16 }, { GL_R8, GL_RED, GL_UNSIGNED_BYTE, 1 } };
+    { GL_RGBA32F, GL_RGBA, GL_FLOAT, 16 }, { GL_R8, GL_RED, GL_UNSIGNED_BYTE, 1 },
+    { GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4 }, { GL_R16F, GL_RED, GL_HALF_FLOAT, 2 },
+    { GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 8 }, { GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 4 },
+    { GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 16 } };
   const Layout& layout = layouts[static_cast<int>(format)];
   while (glGetError() != GL_NO_ERROR)
   {
@@ -271,8 +277,18 @@ void vtkShadowQuad::Release()
 //------------------------------------------------------------------------------
 vtkShadowFramebuffer::Scope::Scope(vtkOpenGLRenderWindow* window, vtkShadowFramebuffer& framebuffer,
   const vtkShadowTexture* color, const vtkShadowTexture* depth, int layer)
+  : Scope(window, framebuffer,
+      color ? std::vector<const vtkShadowTexture*>{ color }
+            : std::vector<const vtkShadowTexture*>(),
+      depth, layer)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkShadowFramebuffer::Scope::Scope(vtkOpenGLRenderWindow* window, vtkShadowFramebuffer& framebuffer,
+  std::vector<const vtkShadowTexture*> colors, const vtkShadowTexture* depth, int layer)
   : Window(window)
-  , Color(color)
+  , Colors(std::move(colors))
   , Depth(depth)
 {
   vtkOpenGLState* state = window->GetState();
@@ -286,10 +302,25 @@ vtkShadowFramebuffer::Scope::Scope(vtkOpenGLRenderWindow* window, vtkShadowFrame
     glGenFramebuffers(1, &framebuffer.Handle);
   }
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer.Handle);
+  const auto count = static_cast<unsigned int>(this->Colors.size());
+  for (unsigned int i = std::max(1u, count); i < framebuffer.Attached; ++i)
+  {
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + i, GL_TEXTURE_2D, 0, 0);
+  }
+  framebuffer.Attached = count;
   this->SetLayer(layer);
-  const GLenum buffer = color ? GL_COLOR_ATTACHMENT0 : GL_NONE;
-  state->vtkglDrawBuffer(buffer);
-  state->vtkglReadBuffer(buffer);
+  const GLenum first = count > 0 ? GL_COLOR_ATTACHMENT0 : GL_NONE;
+  if (count > 1)
+  {
+    std::vector<unsigned int> buffers(count);
+    std::iota(buffers.begin(), buffers.end(), static_cast<unsigned int>(GL_COLOR_ATTACHMENT0));
+    state->vtkglDrawBuffers(count, buffers.data());
+  }
+  else
+  {
+    state->vtkglDrawBuffer(first);
+  }
+  state->vtkglReadBuffer(first);
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglDisable(GL_BLEND);
 }
@@ -297,18 +328,19 @@ vtkShadowFramebuffer::Scope::Scope(vtkOpenGLRenderWindow* window, vtkShadowFrame
 //------------------------------------------------------------------------------
 void vtkShadowFramebuffer::Scope::SetLayer(int layer, int level)
 {
-  if (this->Color)
+  this->Window->GetState()->vtkglDisable(GL_SCISSOR_TEST);
+  for (std::size_t i = 0; i < this->Colors.size(); ++i)
   {
-    glFramebufferTextureLayer(
-      GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, this->Color->GetHandle(), level, layer);
+    glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i),
+      this->Colors[i]->GetHandle(), level, layer);
   }
-  else
+  if (this->Colors.empty())
   {
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 0, 0);
   }
   const unsigned int depth = this->Depth ? this->Depth->GetHandle() : 0;
   // With a colour attachment, depth is a helper of one layer.
-  const int depthLayer = this->Color ? 0 : layer;
+  const int depthLayer = this->Colors.empty() ? layer : 0;
   for (const GLenum attachment : { GL_DEPTH_ATTACHMENT, GL_STENCIL_ATTACHMENT })
   {
     const bool has =
@@ -322,9 +354,18 @@ void vtkShadowFramebuffer::Scope::SetLayer(int layer, int level)
       glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, 0, 0);
     }
   }
-  const vtkShadowTexture* texture = this->Color ? this->Color : this->Depth;
+  const vtkShadowTexture* texture = this->Colors.empty() ? this->Depth : this->Colors.front();
   this->Window->GetState()->vtkglViewport(
     0, 0, std::max(1, texture->GetWidth() >> level), std::max(1, texture->GetHeight() >> level));
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowFramebuffer::Scope::SetRectangle(int x, int y, int width, int height)
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglViewport(x, y, width, height);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(x, y, width, height);
 }
 
 //------------------------------------------------------------------------------
@@ -357,7 +398,7 @@ void vtkShadowFramebuffer::Release(vtkOpenGLRenderWindow*)
   if (this->Handle)
   {
     glDeleteFramebuffers(1, &this->Handle);
-    this->Handle = 0;
+    this->Handle = this->Attached = 0;
   }
 }
 

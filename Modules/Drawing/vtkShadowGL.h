@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the passes need of OpenGL beyond VTK 9.1's classes: array and buffer textures, samplers,
 // layered framebuffers, quads, and timers. All keep VTK's state cache right.
 
@@ -29,7 +30,12 @@ public:
     Float1,       // 32-bit float each
     Float2,
     Float4,
-    Byte1 // 8 bits for 0 to 1
+    Byte1, // 8 bits each for 0 to 1
+    Byte4,
+    Half1, // 16-bit float each
+    Half4,
+    Integer1, // 32-bit unsigned each, for usampler2DArray
+    Integer4
   };
   enum class Sampling
   {
@@ -145,16 +151,21 @@ public:
   public:
     Scope(vtkOpenGLRenderWindow* window, vtkShadowFramebuffer& framebuffer,
       const vtkShadowTexture* color, const vtkShadowTexture* depth, int layer);
+    /** Into several colour targets of one size: gl_FragData[0] and on. */
+    Scope(vtkOpenGLRenderWindow* window, vtkShadowFramebuffer& framebuffer,
+      std::vector<const vtkShadowTexture*> colors, const vtkShadowTexture* depth, int layer);
     ~Scope();
     Scope(const Scope&) = delete;
     void operator=(const Scope&) = delete;
 
     /** Go on with another layer, or level, of the same textures. */
     void SetLayer(int layer, int level = 0);
+    /** Draw into a rectangle of the layer alone, such as a tile of an atlas, until the next SetLayer. */
+    void SetRectangle(int x, int y, int width, int height);
 
   private:
     vtkOpenGLRenderWindow* Window;
-    const vtkShadowTexture* Color;
+    std::vector<const vtkShadowTexture*> Colors;
     const vtkShadowTexture* Depth;
     int Viewport[4];
     int Scissor[4];
@@ -173,6 +184,7 @@ public:
 
 private:
   unsigned int Handle = 0;
+  unsigned int Attached = 0; // colour targets
 };
 
 /** GPU time by stage, from timestamps; a frame's times are read when they are asked for. */

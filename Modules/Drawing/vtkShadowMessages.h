@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a pass has to say to the user, each thing once.
 
 #ifndef vtkShadowMessages_h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // OpenGL's functions and constants, as each VTK version has them: see vtkShadowVTKVersion.h.
 
 #ifndef vtkShadowOpenGL_h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What each pixel of a picture shows of the surfaces that receive: their position and geometric normal.
 //
 //   receivers  RGBA32F  xyz: position in VC; w: packed normal and rounding (see vtkShadowReceiver),

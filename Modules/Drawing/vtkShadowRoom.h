@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where what a map has to hold may be divided: the widest room between rectangles along one of two axes.
 
 #ifndef vtkShadowRoom_h

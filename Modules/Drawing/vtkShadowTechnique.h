@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkShadowTechnique
  * @brief   How visibility is found: what a vtkShadowPass owns, and can change while a window runs.

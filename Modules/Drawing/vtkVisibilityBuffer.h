@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The visibility of receivers in screen space, a layer each part of a light.
 //
 //   visibility  R32F, or RGBA32F with a textured light

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkImageFile
  * @brief   Reads and writes pictures and visibility as image files, through OpenImageIO.

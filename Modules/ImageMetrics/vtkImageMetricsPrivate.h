@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * What the classes of this module share: checking images, conversion to 8 bits, the colours of
  * signed difference maps. Not installed, not wrapped.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPictureMetrics
  * @brief   The difference of two shaded pictures, as an eye or a display sees it.

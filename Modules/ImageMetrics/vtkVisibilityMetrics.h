@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkVisibilityMetrics
  * @brief   The error of one light's visibility against a reference.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One plane's shadow from one part of a light: what falls onto it, where, and by which projection.
 
 #ifndef vtkPlanarShadow_h
@@ -20,7 +21,7 @@ struct VTKSOFTSHADOWSPLANARSHADOWS_EXPORT vtkPlanarShadow
   vtkShadowLightPart LightPart;
   vtkShadowPlane Plane;
   double Side = 1.0; // 1: of light above the plane, where its normal points; -1: below
-  /** What of the light's emission is on this side, and where: points in WC, or directions. */
+  /** What of the light's emission is on this side, and where: points in SWC, or directions. */
   std::vector<vtkLightSample> Samples;
   glm::dvec3 Weight{ 0.0 };
   /** Those between light and plane whose shadow meets a receiver. None: there is no shadow. */
@@ -48,9 +49,9 @@ struct VTKSOFTSHADOWSPLANARSHADOWS_EXPORT vtkPlanarShadow
   double GetHeight(const glm::dvec4& place) const;
   /** Equation 2.3 of the thesis, of column vectors, over the light's height: w is 1 on the plane. */
   glm::dmat4 GetProjection(const glm::dvec4& place) const;
-  /** From WC to clip coordinates of the window, of what lies on the plane; z is 0. */
+  /** From SWC to clip coordinates of the window, of what lies on the plane; z is 0. */
   glm::dmat4 GetWindow() const;
-  /** The window's middle, in WC. */
+  /** The window's middle, in SWC. */
   glm::dvec3 GetMiddle() const;
   /**
    * How far the shadow of something at a height moves, as a share of what the light's point moves

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPlanarShadowMaps.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -67,9 +68,9 @@ std::vector<vtkLightSample> vtkPlanarShadowMaps::GetSamples(const vtkShadowLight
     glm::dvec3 middle(0.0);
     if (light.Kind == vtkShadowLight::Shape::Sphere)
     {
-      const glm::dvec3 centreWC = centre - casters.GetOrigin();
-      vtkPlanarShadow shadow(part, plane, plane.GetHeight(centreWC) < 0.0 ? -1.0 : 1.0);
-      shadow.Samples = { { centreWC, glm::dvec3(1.0) } };
+      const glm::dvec3 centreSWC = centre - casters.GetOrigin();
+      vtkPlanarShadow shadow(part, plane, plane.GetHeight(centreSWC) < 0.0 ? -1.0 : 1.0);
+      shadow.Samples = { { centreSWC, glm::dvec3(1.0) } };
       shadow.Find(casters, false);
       middle = shadow.GetMiddle();
     }
@@ -218,11 +219,11 @@ bool vtkPlanarShadowMaps::Allocate(vtkShadowFrame& frame)
 void vtkPlanarShadowMaps::UpdateCamera(vtkShadowFrame& frame)
 {
   // What mappers draw with. Nothing is cut at the near and far plane, as z is 0 and w positive.
-  glm::dmat4 rows = glm::transpose(frame.VCToClip * frame.GetWCToVC());
+  glm::dmat4 rows = glm::transpose(frame.VCToClip * frame.GetSWCToVC());
   rows[2] = glm::dvec4(0.0);
-  const glm::dmat4 WCToClip = glm::transpose(rows);
-  const bool moved = WCToClip != this->WCToClip;
-  this->WCToClip = WCToClip;
+  const glm::dmat4 SWCToClip = glm::transpose(rows);
+  const bool moved = SWCToClip != this->SWCToClip;
+  this->SWCToClip = SWCToClip;
   for (auto& entry : this->Entries)
   {
     entry.Drawn = entry.Drawn && !moved;
@@ -239,7 +240,7 @@ void vtkPlanarShadowMaps::UpdateCamera(vtkShadowFrame& frame)
         corner & 2 ? shadow.Window.High.y : shadow.Window.Low.y);
       const vtkShadowPlane& plane = shadow.Plane;
       const glm::dvec4 p =
-        WCToClip *
+        SWCToClip *
         glm::dvec4(plane.Distance * plane.Normal + place.x * plane.X + place.y * plane.Y, 1.0);
       const bool sides[5] = { p.x<-p.w, p.x> p.w, p.y<-p.w, p.y> p.w, p.w <= 0.0 };
       for (int i = 0; i < 5; ++i)
@@ -263,7 +264,7 @@ bool vtkPlanarShadowMaps::Update(vtkShadowFrame& frame, const vtkShadowPlanes& p
   if (planesChanged || this->Changes.IsAny())
   {
     this->MakeEntries(frame, planes, MostGroups, keep);
-    this->VCToWC = glm::dmat4(0.0);
+    this->VCToSWC = glm::dmat4(0.0);
   }
   if (!this->Allocate(frame))
   {
@@ -345,7 +346,7 @@ void vtkPlanarShadowMaps::DrawLayer(vtkShadowFrame& frame, const vtkPlanarShadow
   {
     case Kind::Hard:
       glClearBufferfv(GL_COLOR, 0, lit);
-      this->DrawProjected(frame, shadow, shadow.Samples.front(), this->WCToClip);
+      this->DrawProjected(frame, shadow, shadow.Samples.front(), this->SWCToClip);
       break;
     case Kind::Fake:
       glClearBufferfv(GL_COLOR, 0, empty);
@@ -362,7 +363,7 @@ void vtkPlanarShadowMaps::DrawLayer(vtkShadowFrame& frame, const vtkPlanarShadow
       state->vtkglEnable(GL_STENCIL_TEST);
       state->vtkglStencilMask(0xff);
       state->vtkglStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-      const glm::dmat4 WCToClip = shadow.GetWindow();
+      const glm::dmat4 SWCToClip = shadow.GetWindow();
       int reference = MostReferences;
       for (const auto& sample : shadow.Samples)
       {
@@ -373,7 +374,7 @@ void vtkPlanarShadowMaps::DrawLayer(vtkShadowFrame& frame, const vtkPlanarShadow
           reference = 0;
         }
         state->vtkglStencilFunc(GL_GREATER, ++reference, 0xff);
-        this->DrawProjected(frame, shadow, sample, WCToClip);
+        this->DrawProjected(frame, shadow, sample, SWCToClip);
       }
       state->vtkglStencilFunc(GL_ALWAYS, 0, 0xff);
       state->vtkglStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
@@ -385,7 +386,7 @@ void vtkPlanarShadowMaps::DrawLayer(vtkShadowFrame& frame, const vtkPlanarShadow
 
 //------------------------------------------------------------------------------
 void vtkPlanarShadowMaps::DrawProjected(vtkShadowFrame& frame, const vtkPlanarShadow& shadow,
-  const vtkLightSample& sample, const glm::dmat4& WCToClip)
+  const vtkLightSample& sample, const glm::dmat4& SWCToClip)
 {
   static constexpr const char* outputs[] = { "#define SHADOW_MASK\n", "#define SHADOW_SHARE\n",
     "#define SHADOW_SPREAD\n" };
@@ -410,13 +411,13 @@ void vtkPlanarShadowMaps::DrawProjected(vtkShadowFrame& frame, const vtkPlanarSh
   };
   how.SetCasterParameters = [&](vtkShaderProgram* program, const vtkShadowCaster& caster)
   {
-    const glm::vec4 heightMC(equation * caster.MeshToWC);
+    const glm::vec4 heightMC(equation * caster.MeshToSWC);
     const glm::vec2 limits(
       HeightRounding * 2.0 * caster.GetRadius() / height, static_cast<float>(place.w));
     program->SetUniform4f("shadowHeightMC", glm::value_ptr(heightMC));
     program->SetUniform2f("shadowHeightLimits", glm::value_ptr(limits));
   };
-  frame.Drawing->Draw(frame.Window, WCToClip * shadow.GetProjection(place), shadow.Casters, how);
+  frame.Drawing->Draw(frame.Window, SWCToClip * shadow.GetProjection(place), shadow.Casters, how);
 }
 
 //------------------------------------------------------------------------------
@@ -430,16 +431,16 @@ int vtkPlanarShadowMaps::GetRecordSize() const
 void vtkPlanarShadowMaps::UpdateRecords(vtkShadowFrame& frame)
 {
   // Which layers are in view can change only with the camera.
-  if (frame.VCToWC == this->VCToWC && this->Current.Technique != Kind::Hard)
+  if (frame.VCToSWC == this->VCToSWC && this->Current.Technique != Kind::Hard)
   {
     return;
   }
-  this->VCToWC = frame.VCToWC;
+  this->VCToSWC = frame.VCToSWC;
   this->Records.clear();
   for (const auto& plane : this->Planes)
   {
     // Of unit normal, whatever the view's transform scales by.
-    const glm::dvec4 equation = plane.GetEquation() * frame.VCToWC;
+    const glm::dvec4 equation = plane.GetEquation() * frame.VCToSWC;
     this->Records.emplace_back(equation / glm::length(glm::dvec3(equation)));
   }
   for (const auto& entry : this->Entries)
@@ -452,7 +453,7 @@ void vtkPlanarShadowMaps::UpdateRecords(vtkShadowFrame& frame)
       continue;
     }
     const glm::dmat4 rows =
-      entry.Layer < 0 ? glm::dmat4(0.0) : glm::transpose(shadow.GetWindow() * frame.VCToWC);
+      entry.Layer < 0 ? glm::dmat4(0.0) : glm::transpose(shadow.GetWindow() * frame.VCToSWC);
     this->Records.emplace_back(0.5 * (rows[0] + rows[3]));
     this->Records.emplace_back(0.5 * (rows[1] + rows[3]));
     if (this->Current.Technique == Kind::Fake)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The light data of the planar techniques: an array texture with a layer for each light and plane
 // that casters between them darken.
 //
@@ -91,7 +92,7 @@ private:
   void Draw(vtkShadowFrame& frame);
   void DrawLayer(vtkShadowFrame& frame, const vtkPlanarShadow& shadow);
   void DrawProjected(vtkShadowFrame& frame, const vtkPlanarShadow& shadow,
-    const vtkLightSample& sample, const glm::dmat4& WCToClip);
+    const vtkLightSample& sample, const glm::dmat4& SWCToClip);
   void UpdateRecords(vtkShadowFrame& frame);
   void AddFakeVectors(const vtkPlanarShadow& shadow);
   int GetRecordSize() const;
@@ -106,8 +107,8 @@ private:
   int Groups = 1;             // the most of a plane's side
   std::vector<Entry> Entries; // by light, plane, side, group
   int Layers = 0;
-  glm::dmat4 WCToClip{ 0.0 }; // of the camera, for hard
-  glm::dmat4 VCToWC{ 0.0 };
+  glm::dmat4 SWCToClip{ 0.0 }; // of the camera, for hard
+  glm::dmat4 VCToSWC{ 0.0 };
   std::vector<glm::vec4> Records;
   bool Few = true;
   vtkShadowTexture Maps;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPlanarShadowPass
  * @brief   Techniques planar-hard, planar-soft, planar-fake: shadows projected onto planes.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The techniques of vtkPlanarShadowPass: see there.
 
 #ifndef vtkPlanarShadowTechnique_h

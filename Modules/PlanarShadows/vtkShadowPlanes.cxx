@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowPlanes.h"
 
 #include "vtkShadowCasters.h"
@@ -21,7 +22,7 @@ double GetTriangleArea(const vtkShadowCaster& caster)
   const auto at = [&](std::size_t i)
   {
     const float* p = mesh.Positions.data() + 3 * static_cast<std::size_t>(mesh.Indices[i]);
-    return glm::dvec3(caster.MeshToWC * glm::dvec4(p[0], p[1], p[2], 1.0));
+    return glm::dvec3(caster.MeshToSWC * glm::dvec4(p[0], p[1], p[2], 1.0));
   };
   double sum = 0.0;
   for (std::size_t i = 0; i + 2 < mesh.Indices.size(); i += 3)
@@ -32,12 +33,12 @@ double GetTriangleArea(const vtkShadowCaster& caster)
   return sum;
 }
 
-/** Point and unit normal of a flat caster, in WC. */
+/** Point and unit normal of a flat caster, in SWC. */
 std::pair<glm::dvec3, glm::dvec3> GetPlaneOf(const vtkShadowCaster& caster)
 {
-  const glm::dvec3 point(caster.MeshToWC * glm::dvec4(caster.Mesh->PlanePoint, 1.0));
+  const glm::dvec3 point(caster.MeshToSWC * glm::dvec4(caster.Mesh->PlanePoint, 1.0));
   // By cofactors, which the inverse's transpose is but for a factor: a matrix may flatten.
-  const glm::dmat3 m(caster.MeshToWC);
+  const glm::dmat3 m(caster.MeshToSWC);
   const glm::dvec3& n = caster.Mesh->Normal;
   const glm::dvec3 normal =
     n.x * glm::cross(m[1], m[2]) + n.y * glm::cross(m[2], m[0]) + n.z * glm::cross(m[0], m[1]);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The planes that receive: the user's, or those of flat props, the largest first.
 
 #ifndef vtkShadowPlanes_h
@@ -35,7 +36,7 @@ struct VTKSOFTSHADOWSPLANARSHADOWS_EXPORT vtkPlaneRectangle
   void Intersect(const vtkPlaneRectangle& other);
 };
 
-/** Normal . p = Distance, for p in WC; thesis equations 2.1 and 2.2. */
+/** Normal . p = Distance, for p in SWC; thesis equations 2.1 and 2.2. */
 struct VTKSOFTSHADOWSPLANARSHADOWS_EXPORT vtkShadowPlane
 {
   glm::dvec3 Normal{ 0.0, 0.0, 1.0 };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The pass under the technique's name, and the technique's declaration.
 
 #include "vtkRayTracedShadowPass.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkRayTracedShadowPass
  * @brief   Technique ray-traced: N stratified rays from each pixel to the light.

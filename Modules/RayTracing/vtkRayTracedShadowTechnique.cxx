@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRayTracedShadowTechnique.h"
 
 #include "vtkShadowCasters.h"
@@ -46,7 +47,7 @@ void vtkRayTracedShadowTechnique::FillVisibility(vtkShadowFrame& frame, vtkVisib
   const auto& texels = buffer.GetReceivers().Read(frame.Window);
   std::vector<vtkShadowRayTracer::Receiver> receivers;
   receivers.reserve(texels.size());
-  const glm::dmat3 turn(frame.VCToWC);
+  const glm::dmat3 turn(frame.VCToSWC);
   std::size_t notFinite = 0;
   for (std::size_t i = 0; i < texels.size(); ++i)
   {
@@ -54,7 +55,7 @@ void vtkRayTracedShadowTechnique::FillVisibility(vtkShadowFrame& frame, vtkVisib
     if (vtkShadowReceiver::IsOne(texels[i]))
     {
       const glm::dvec3 positionVC(texels[i]);
-      const glm::dvec3 position(frame.VCToWC * glm::dvec4(positionVC, 1.0));
+      const glm::dvec3 position(frame.VCToSWC * glm::dvec4(positionVC, 1.0));
       const vtkShadowReceiver receiver = vtkShadowReceiver::Unpack(texels[i].w);
       const double rounding = PositionError * (glm::length(positionVC) + glm::length(position));
       receivers.push_back({ position, turn * receiver.Normal, rounding,
@@ -62,7 +63,7 @@ void vtkRayTracedShadowTechnique::FillVisibility(vtkShadowFrame& frame, vtkVisib
     }
   }
   frame.Counts["receiversNotFinite"] = static_cast<double>(notFinite);
-  const glm::dmat4 clipToWC = glm::inverse(frame.VCToClip * frame.GetWCToVC());
+  const glm::dmat4 clipToSWC = glm::inverse(frame.VCToClip * frame.GetSWCToVC());
   this->Tracer->FindPositions(receivers,
     [&](int pixel)
     {
@@ -71,8 +72,8 @@ void vtkRayTracedShadowTechnique::FillVisibility(vtkShadowFrame& frame, vtkVisib
         2.0 * glm::dvec2(pixel % buffer.GetWidth() + 0.5, pixel / buffer.GetWidth() + 0.5) /
           glm::dvec2(buffer.GetWidth(), buffer.GetHeight()) -
         1.0;
-      const glm::dvec4 from = clipToWC * glm::dvec4(place, -1.0, 1.0);
-      const glm::dvec4 to = clipToWC * glm::dvec4(place, 1.0, 1.0);
+      const glm::dvec4 from = clipToSWC * glm::dvec4(place, -1.0, 1.0);
+      const glm::dvec4 to = clipToSWC * glm::dvec4(place, 1.0, 1.0);
       const glm::dvec3 front = glm::dvec3(from) / from.w;
       return vtkShadowRayTracer::Ray(front, glm::normalize(glm::dvec3(to) / to.w - front));
     });

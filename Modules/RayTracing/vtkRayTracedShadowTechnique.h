@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The technique of vtkRayTracedShadowPass: see there.
 
 #ifndef vtkRayTracedShadowTechnique_h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowRayTracer.h"
 
 #include "vtkShadowCasters.h"
@@ -214,7 +215,7 @@ int vtkShadowRayTracer::Update(const vtkShadowCasters& casters)
     mesh.Used = true;
     RTCGeometry instance = rtcNewGeometry(my.Device, RTC_GEOMETRY_TYPE_INSTANCE);
     rtcSetGeometryInstancedScene(instance, mesh.Scene);
-    const glm::mat4 matrix(caster.MeshToWC);
+    const glm::mat4 matrix(caster.MeshToSWC);
     rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, glm::value_ptr(matrix));
     rtcCommitGeometry(instance);
     for (auto& entry : my.Scenes)

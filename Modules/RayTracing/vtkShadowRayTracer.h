@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Embree's side of the ray-traced technique: the casters as instances of their meshes, and rays to a
 // light's samples. No OpenGL here.
 
@@ -19,7 +20,7 @@ class vtkShadowRayTracer
 {
 public:
   /**
-   * What a pixel sees, in WC. Its rays start Offset along the normal; where its prop's positions are
+   * What a pixel sees, in SWC. Its rays start Offset along the normal; where its prop's positions are
    * off by more than that, what they hit within Height above its plane is the surface itself.
    */
   struct Receiver
@@ -45,7 +46,7 @@ public:
   int Update(const vtkShadowCasters& casters);
 
   /**
-   * Find positions anew that are off by Height: where the pixel's own ray, from a point in WC along a
+   * Find positions anew that are off by Height: where the pixel's own ray, from a point in SWC along a
    * unit vector, meets a caster near by. Those that meet none stay.
    */
   using Ray = std::pair<glm::dvec3, glm::dvec3>;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkAccumulatedShadowMapPass
  * @brief   Technique map-soft: the mean of hard shadow maps from N samples of the light.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The technique of vtkAccumulatedShadowMapPass: see there.
 
 #ifndef vtkAccumulatedShadowMapTechnique_h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkBlurredShadowMapPass
  * @brief   Technique map-blur: a hard mask in screen space, blurred by a separable Gaussian.

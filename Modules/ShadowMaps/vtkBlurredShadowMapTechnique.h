@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The technique of vtkBlurredShadowMapPass: see there.
 
 #ifndef vtkBlurredShadowMapTechnique_h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkCombinedShadowMapPass
  * @brief   Technique map-combined: the blockers of map-pcss, the jittered branching of map-jitter.

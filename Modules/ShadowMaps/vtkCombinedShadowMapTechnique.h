@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The technique of vtkCombinedShadowMapPass: see there.
 
 #ifndef vtkCombinedShadowMapTechnique_h

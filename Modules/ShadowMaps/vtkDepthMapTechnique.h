@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkDepthMapTechnique
  * @brief   Base of the techniques that look up depth maps: the family's map resource, and its use.

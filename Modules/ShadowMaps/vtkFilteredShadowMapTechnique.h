@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkFilteredShadowMapTechnique
  * @brief   Base of the techniques that soften one depth map a light: look-ups around each receiver.

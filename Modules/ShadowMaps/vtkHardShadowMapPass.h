@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHardShadowMapPass
  * @brief   Technique map-hard: one depth map from the light's centre, one compare a pixel.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The technique of vtkHardShadowMapPass: see there.
 
 #ifndef vtkHardShadowMapTechnique_h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkJitteredShadowMapPass
  * @brief   Technique map-jitter: stratified compares that differ from pixel to pixel, and branching.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPercentageCloserFilteringPass
  * @brief   Technique map-pcf: the mean of n x n compares around the receiver.

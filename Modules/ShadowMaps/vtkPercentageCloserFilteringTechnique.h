@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The technique of vtkPercentageCloserFilteringPass: see there.
 
 #ifndef vtkPercentageCloserFilteringTechnique_h

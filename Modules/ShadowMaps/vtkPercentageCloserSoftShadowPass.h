@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPercentageCloserSoftShadowPass
  * @brief   Technique map-pcss: penumbrae as wide as the mean blocker makes them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The technique of vtkPercentageCloserSoftShadowPass: see there.
 
 #ifndef vtkPercentageCloserSoftShadowTechnique_h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The declarations of the techniques that soften one map a light.
 
 #include "vtkBlurredShadowMapPass.h"

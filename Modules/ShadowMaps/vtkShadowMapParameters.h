@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The parameters that all techniques of the family share: each is declared here once.
 
 #ifndef vtkShadowMapParameters_h

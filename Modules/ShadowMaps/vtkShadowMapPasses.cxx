@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The passes under the names of the family's techniques.
 
 #include "vtkAccumulatedShadowMapPass.h"

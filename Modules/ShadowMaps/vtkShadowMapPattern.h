@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A pattern of points over a light, in its half axes: of the disk, and of the square [-1,1]^2.
 //
 //   points  RGBA32F buffer  a texel a point: xy of the disk, zw of the square

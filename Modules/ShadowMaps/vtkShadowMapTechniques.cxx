@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The declarations of the family's techniques that take a look-up a map. Those of filters:
 // vtkShadowMapFilterTechniques.cxx.
 

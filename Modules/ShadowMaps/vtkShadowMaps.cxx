@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowMaps.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -117,7 +118,7 @@ bool vtkShadowMaps::Update(vtkShadowFrame& frame, const vtkShadowMapSettings& se
              state.Casters == this->Parts[i].Casters &&
              std::equal(made.begin(), made.end(), old,
                [](const View& a, const View& b) {
-                 return a.Frustum.WCToClip == b.Frustum.WCToClip &&
+                 return a.Frustum.SWCToClip == b.Frustum.SWCToClip &&
                         a.Frustum.Casters == b.Frustum.Casters;
                });
     }
@@ -250,7 +251,7 @@ void vtkShadowMaps::Draw(vtkShadowFrame& frame, int first, int count)
     target.SetLayer(i - this->BatchFirst);
     this->ClearLayer(state);
     const View& view = this->Views[i];
-    frame.Drawing->Draw(frame.Window, view.Frustum.WCToClip, view.Frustum.Casters);
+    frame.Drawing->Draw(frame.Window, view.Frustum.SWCToClip, view.Frustum.Casters);
     state->vtkglDisable(GL_SCISSOR_TEST);
   }
 }
@@ -334,7 +335,7 @@ void vtkShadowMaps::DrawMidpoint(vtkShadowFrame& frame, int index)
       how.FragmentShader = vtkShadowMapPeelFS;
       how.Definitions = layer == 1 ? "#define SHADOW_SECOND\n" : "";
       how.SetParameters = setParameters;
-      frame.Drawing->Draw(frame.Window, view.Frustum.WCToClip, casters, how);
+      frame.Drawing->Draw(frame.Window, view.Frustum.SWCToClip, casters, how);
     }
   }
   this->Sides[0].Deactivate(frame.Window);
@@ -366,27 +367,27 @@ void vtkShadowMaps::DrawMidpoint(vtkShadowFrame& frame, int index)
 //------------------------------------------------------------------------------
 void vtkShadowMaps::UpdateViewVectors(vtkShadowFrame& frame, bool changed)
 {
-  if (!changed && frame.VCToWC == this->VCToWC)
+  if (!changed && frame.VCToSWC == this->VCToSWC)
   {
     return;
   }
-  this->VCToWC = frame.VCToWC;
+  this->VCToSWC = frame.VCToSWC;
   const glm::dmat4 toUnit =
     glm::scale(glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)), glm::dvec3(0.5));
-  const glm::dmat4 WCToVC = frame.GetWCToVC();
+  const glm::dmat4 SWCToVC = frame.GetSWCToVC();
   this->ViewVectors.clear();
   this->ViewVectors.reserve((VectorsOfView + VectorsOfKernel) * this->Views.size());
   for (const auto& view : this->Views)
   {
-    glm::dmat4 rows = glm::transpose(toUnit * view.Frustum.WCToClip * frame.VCToWC);
+    glm::dmat4 rows = glm::transpose(toUnit * view.Frustum.SWCToClip * frame.VCToSWC);
     rows[2] -= DepthRounding * rows[3];
     for (int r = 0; r < 4; ++r)
     {
       this->ViewVectors.emplace_back(rows[r]);
     }
     const bool directional = frame.Parts[view.Light].Light.IsDirectional();
-    const glm::dvec4 place = WCToVC * glm::dvec4(view.Frustum.Place, directional ? 0.0 : 1.0);
-    const glm::dmat3 turn(WCToVC);
+    const glm::dvec4 place = SWCToVC * glm::dvec4(view.Frustum.Place, directional ? 0.0 : 1.0);
+    const glm::dmat3 turn(SWCToVC);
     const double texel = view.Frustum.DepthScale / this->Current.Resolution;
     this->ViewVectors.emplace_back(glm::dvec4(turn * view.Frustum.WindowX * texel, place.x));
     this->ViewVectors.emplace_back(glm::dvec4(turn * view.Frustum.WindowY * texel, place.y));

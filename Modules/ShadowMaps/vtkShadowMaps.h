@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The depth maps of a pass: views from samples of the lights, drawn into the layers of one array
 // texture and kept while light, casters and settings are unchanged.
 //
@@ -116,7 +117,7 @@ private:
   int BatchCount = 0;
   bool Few = false;                   // views are uniforms
   std::vector<glm::vec4> ViewVectors; // of vtkShadowMapViewsFS.glsl, for the camera of this frame
-  glm::dmat4 VCToWC{ 0.0 };           // that camera
+  glm::dmat4 VCToSWC{ 0.0 };          // that camera
   vtkShadowTexture Maps;
   vtkShadowTexture ViewBuffer; // where the views are no uniforms
   vtkShadowSampler Depths;     // the maps without compare

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which faces of a caster's mesh meet at which edge: what silhouettes are found from.
 //
 // Built once for a mesh, from OpenMesh's half-edges, and kept as flat arrays. Vertices at the same

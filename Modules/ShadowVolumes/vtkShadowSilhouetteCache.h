@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The silhouettes of casters from places on the lights, kept while lights and casters are unchanged: for
 // whatever stands on them.
 //
@@ -43,7 +44,7 @@ public:
   /** Rises whenever silhouettes were found anew for some light. */
   unsigned long GetVersion() const { return this->Version; }
 
-  ///@{ Of a part of a light: the samples, and where they are in WC (directions towards it: w 0).
+  ///@{ Of a part of a light: the samples, and where they are in SWC (directions towards it: w 0).
   const std::vector<vtkLightSample>& GetSamples(int light) const
   {
     return this->Parts[light].Samples;

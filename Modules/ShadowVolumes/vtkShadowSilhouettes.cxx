@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowSilhouettes.h"
 
 #include "vtkShadowAdjacency.h"
@@ -30,8 +31,8 @@ struct LocalPlace
  */
 LocalPlace ToMesh(const vtkShadowCaster& caster, const glm::dvec4& place)
 {
-  const glm::dmat3 axes(caster.MeshToWC);
-  const glm::dvec3 light = glm::dvec3(place) - place.w * glm::dvec3(caster.MeshToWC[3]);
+  const glm::dmat3 axes(caster.MeshToSWC);
+  const glm::dvec3 light = glm::dvec3(place) - place.w * glm::dvec3(caster.MeshToSWC[3]);
   const glm::dvec3 rows[3] = { glm::cross(axes[1], axes[2]), glm::cross(axes[2], axes[0]),
     glm::cross(axes[0], axes[1]) };
   const double determinant = glm::dot(axes[0], rows[0]);
@@ -218,8 +219,8 @@ std::size_t vtkShadowSilhouettes::FindMostNested(const vtkShadowCasters& casters
     for (const auto& part : parts)
     {
       const vtkShadowCaster& caster = casters.Get()[part.Caster];
-      const glm::dmat3 axes(caster.MeshToWC);
-      const glm::dvec3 offset = glm::dvec3(caster.MeshToWC[3]) - place.w * light;
+      const glm::dmat3 axes(caster.MeshToSWC);
+      const glm::dvec3 offset = glm::dvec3(caster.MeshToSWC[3]) - place.w * light;
       const glm::dvec4 along(direction * axes, glm::dot(direction, offset));
       const glm::dvec4 depth(
         place.w * (axis * axes), place.w == 0.0 ? 1.0 : glm::dot(axis, offset));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Silhouettes of casters as some places on a light see them, and the caps of their volumes.
 //
 // A volume holds what lies behind a set of faces, all turned towards the light. Its sides stand on
@@ -55,7 +56,7 @@ public:
 
   /**
    * Find the silhouettes of casters (indices into Get(), with adjacencies) from up to 64 places:
-   * positions in WC (w 1) or directions towards the light (w 0).
+   * positions in SWC (w 1) or directions towards the light (w 0).
    */
   void Find(const vtkShadowCasters& casters, const vtkShadowAdjacencies& adjacencies,
     const std::vector<int>& which, const glm::dvec4* places, int numberOfPlaces);

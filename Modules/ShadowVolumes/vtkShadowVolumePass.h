@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkShadowVolumePass
  * @brief   Techniques volume-hard and volume-soft: stencil shadow volumes from silhouettes.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The techniques of vtkShadowVolumePass: see there.
 
 #ifndef vtkShadowVolumeTechnique_h

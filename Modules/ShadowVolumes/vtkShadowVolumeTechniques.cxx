@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The pass under the names of the family's techniques, and their declarations.
 
 #include "vtkObjectFactory.h"
@@ -25,14 +26,12 @@ vtkShadowDeclaration Common()
     "Count the volumes' faces before the surface (z-pass), behind it (z-fail), or their parity "
     "before it (xor); auto: z-pass, and z-fail for casters whose volume the near rectangle may "
     "lie in") };
-  t.Resources = {
-    "on the CPU: adjacency, about 41 bytes a triangle of a closed mesh, once a mesh",
+  t.Resources = { "on the CPU: adjacency, about 41 bytes a triangle of a closed mesh, once a mesh",
     "silhouettes, 8 bytes an edge and sample (16 of open meshes)",
     "where volumes are counted by z-fail: caps, 12 bytes a triangle",
     "receivers 16 bytes, their depth 4 bytes, that of volumes with the stencil 8 bytes, "
     "visibility 4 bytes a light (16 textured), each a pixel; 4 bytes more where more than 255 "
-    "volumes may nest"
-  };
+    "volumes may nest" };
   t.Limits = { "The cost is that of filling the volumes: it grows with silhouettes, pixels and "
                "samples.",
     "counting=z-pass is wrong where the eye is in a volume, or sees the inside of a body: from "

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowVolumes.h"
 
 #include "vtkActor.h"
@@ -84,27 +85,28 @@ void vtkShadowVolumes::Update(vtkShadowFrame& frame, const vtkShadowVolumeSettin
 //------------------------------------------------------------------------------
 void vtkShadowVolumes::SetView(const vtkShadowFrame& frame)
 {
-  this->WCToClip = frame.VCToClip * frame.GetWCToVC();
+  this->SWCToClip = frame.VCToClip * frame.GetSWCToVC();
   // A camera that mirrors turns all faces around; the usual projection has a negative determinant.
-  this->Mirrored = glm::determinant(this->WCToClip) > 0.0;
+  this->Mirrored = glm::determinant(this->SWCToClip) > 0.0;
   this->Parallel = frame.IsParallel();
   this->FrustumPlanes.clear();
   for (int axis = 0; axis < 3; ++axis)
   {
     for (const double sign : { 1.0, -1.0 })
     {
-      const glm::dvec4 plane = glm::row(this->WCToClip, 3) + sign * glm::row(this->WCToClip, axis);
+      const glm::dvec4 plane =
+        glm::row(this->SWCToClip, 3) + sign * glm::row(this->SWCToClip, axis);
       this->FrustumPlanes.push_back(plane / glm::length(glm::dvec3(plane)));
     }
   }
-  const glm::dmat4 clipToWC = glm::inverse(this->WCToClip);
+  const glm::dmat4 clipToSWC = glm::inverse(this->SWCToClip);
   this->FrustumCorners.clear();
   for (const double z : { -1.0, 1.0 })
   {
     for (const glm::dvec2& corner : { glm::dvec2(-1.0, -1.0), glm::dvec2(1.0, -1.0),
            glm::dvec2(1.0, 1.0), glm::dvec2(-1.0, 1.0) })
     {
-      const glm::dvec4 p = clipToWC * glm::dvec4(corner, z, 1.0);
+      const glm::dvec4 p = clipToSWC * glm::dvec4(corner, z, 1.0);
       this->FrustumCorners.push_back(glm::dvec3(p) / p.w);
     }
   }
@@ -115,14 +117,14 @@ void vtkShadowVolumes::SetView(const vtkShadowFrame& frame)
   for (int i = 0; i < 4; ++i)
   {
     const glm::dvec4 corner(this->FrustumCorners[i], 1.0);
-    nearest = std::min(nearest, glm::dot(glm::row(this->WCToClip, 3), corner));
+    nearest = std::min(nearest, glm::dot(glm::row(this->SWCToClip, 3), corner));
   }
   this->DepthRow = this->Parallel ? 0.5 * (this->WRow - glm::row(frame.VCToClip, 2))
                                   : glm::dvec4(0.0, 0.0, 0.0, nearest);
   this->ClipControl = VTK_SHADOW_HAS_GL(ARB_clip_control) || VTK_SHADOW_HAS_GL(VERSION_4_5);
   const glm::dmat4 VCToDraw = glm::row(
     frame.VCToClip, 2, this->ClipControl ? this->DepthRow : 2.0 * this->DepthRow - this->WRow);
-  this->WCToDraw = VCToDraw * frame.GetWCToVC();
+  this->SWCToDraw = VCToDraw * frame.GetSWCToVC();
 }
 
 //------------------------------------------------------------------------------

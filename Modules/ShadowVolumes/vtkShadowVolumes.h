@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The stencil counting of shadow volumes, which stand on the silhouettes of a vtkShadowSilhouetteCache,
 // over the receivers' depth.
 //
@@ -122,9 +123,9 @@ private:
   vtkShadowSilhouetteCache Silhouettes;
 
   // The frame's view.
-  glm::dmat4 WCToClip{ 1.0 };
-  glm::dmat4 WCToDraw{ 1.0 }; // to the clip coordinates that are drawn in, with a depth of our own
-  glm::dvec4 DepthRow{ 0.0 }; // of the matrix from VC to them: depth x w
+  glm::dmat4 SWCToClip{ 1.0 };
+  glm::dmat4 SWCToDraw{ 1.0 }; // to the clip coordinates that are drawn in, with a depth of our own
+  glm::dvec4 DepthRow{ 0.0 };  // of the matrix from VC to them: depth x w
   glm::dvec4 WRow{ 0.0 };
   bool ClipControl = false;               // their z runs from 0 to w
   std::vector<glm::dvec4> FrustumPlanes;  // inside is positive

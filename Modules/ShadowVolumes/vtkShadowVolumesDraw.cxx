@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The drawing side of vtkShadowVolumes: extrusion, counting, the debug view.
 
 #include "vtkOpenGLRenderWindow.h"
@@ -123,7 +124,7 @@ void vtkShadowVolumes::DrawSides(vtkShadowFrame& frame, const glm::dvec4& place,
   how.GeometryShader = vtkShadowVolumeSidesGS;
   how.FragmentShader = shader;
   // Over the picture, for the debug view, nothing is counted.
-  const glm::dmat4& matrix = counted ? this->WCToDraw : this->WCToClip;
+  const glm::dmat4& matrix = counted ? this->SWCToDraw : this->SWCToClip;
   how.SetParameters = [&](vtkShaderProgram* program)
   {
     const glm::vec2 back = counted ? this->GetRetreat() : glm::vec2(0.0f);
@@ -159,14 +160,14 @@ void vtkShadowVolumes::DrawCaps(vtkShadowFrame& frame, const glm::dvec4& place, 
       }
     };
     how.SetCasterParameters = [&](vtkShaderProgram* program, const vtkShadowCaster& caster)
-    { this->SetExtrusion(program, caster, place, this->WCToDraw); };
+    { this->SetExtrusion(program, caster, place, this->SWCToDraw); };
     // The near cap lies in surfaces that the light may reach: it counts as behind them, by the
     // depth's own steps and the face's slope. The far cap is the same faces from behind.
     (far ? glDisable : glEnable)(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(far ? 0.0f : -1.0f, far ? 0.0f : -1.0f);
     this->SetFrontFace(far);
     frame.Drawing->DrawParts(
-      frame.Window, this->WCToDraw, GL_TRIANGLES, this->Caps, this->CapParts, how);
+      frame.Window, this->SWCToDraw, GL_TRIANGLES, this->Caps, this->CapParts, how);
   }
   this->SetFrontFace(false);
 }
@@ -372,7 +373,7 @@ void vtkShadowVolumes::DrawView(vtkShadowFrame& frame, int light, int sample)
     how.FragmentShader = vtkShadowVolumeViewFS;
     how.SetParameters = setColors({ 1.0f, 1.0f, 0.2f, 1.0f }, { 1.0f, 1.0f, 0.2f, 1.0f });
     frame.Drawing->DrawParts(
-      frame.Window, this->WCToClip, GL_LINES, selection.Lines->Lines, *parts, how);
+      frame.Window, this->SWCToClip, GL_LINES, selection.Lines->Lines, *parts, how);
   }
   glDisable(GL_DEPTH_CLAMP);
   glFrontFace(GL_CCW);

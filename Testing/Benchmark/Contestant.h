@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the benchmarks share: scenes in windows of their own, drawn in different ways, to be timed in
 // turns.
 

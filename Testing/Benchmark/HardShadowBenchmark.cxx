@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // map-hard beside VTK's own vtkShadowMapPass: same scenes, light, map resolution and run. And
 // planar-hard beside map-hard, where all that receives is a floor.
 //

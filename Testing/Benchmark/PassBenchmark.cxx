@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a pass costs where there is little to do: many actors under a light that stays, and no light
 // that casts.
 //

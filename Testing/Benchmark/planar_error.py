@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Error of visibility on the floor alone, which is what shadows on planes are for.
 
     planar_error.py [SCENE...]

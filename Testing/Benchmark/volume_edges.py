@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Pixels where a hard technique differs from a ray-traced point light, and how far from an edge.
 
     PYTHONPATH=build/lib/python /usr/bin/python3 Testing/Benchmark/volume_edges.py \\

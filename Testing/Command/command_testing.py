@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What the tests of the command share: running it, and reading what it writes.
 
 SOFTSHADOWS_COMMAND is the command's path. Without a display an Xvfb is started; where that is

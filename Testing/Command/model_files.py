@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Small models for the tests of the command, sound and damaged ones, written as text."""
 
 import base64

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Runs softshadows bench as a user does: what its three files hold, and what it refuses.
 
 See command_testing for what it needs. Without jsonschema the form of results.json is not tested.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Runs the command softshadows as a user does: what it writes, says and returns.
 
 See command_testing for what it needs.

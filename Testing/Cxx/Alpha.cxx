@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Holes by alpha: where a texture or colours are clear, a surface casts nothing, elsewhere all.
 
 #include "ShadowStage.h"

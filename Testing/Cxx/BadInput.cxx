@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Input that cannot be used gives one clear message, or none where it is harmless, and a frame.
 
 #include "ShadowOracle.h"

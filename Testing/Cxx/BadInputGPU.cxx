@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the GPU cannot do: one clear message, and a frame. The tests play a smaller GPU than there is.
 
 #include "ShadowStage.h"

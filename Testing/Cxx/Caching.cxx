@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is unchanged is kept (the statistics count it), and what changed is never stale.
 
 #include "ShadowStage.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // As Caching.cxx, for what makes its geometry on the GPU, for blocks, clipping planes and levels, for
 // translucent casters and for the window.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Visibility is of the world: however a camera splits what it shows between its view and its
 // projection, scaled, sheared, mirrored or off its axis, V is the same.
 

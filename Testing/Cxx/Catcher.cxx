@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The shadow catcher: nothing of it shows but the shadow.
 
 #include "ShadowOracle.h"

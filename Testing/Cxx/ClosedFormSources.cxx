@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Closed forms, continued: disks, the sun and textured lights.
 
 #include "ClosedForms.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Closed forms: the truth at every pixel, by formula.
 //
 // Bounds are of the RMSE over all of the floor's pixels. N stratified samples of a light that an edge

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the closed-form tests share: how near a technique must come to the truth.
 
 #ifndef ClosedForms_h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The pass within VTK's other passes and around them, and with the renderer's own features.
 //
 // Every test holds the picture to the same law (CheckShadowed): where V is 1 it is what VTK draws in

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The pass in VTK's windows: several viewports and layers, sizes that change, two eyes, pickers.
 
 #include "ShadowOracle.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Who casts, who receives, and where the pass stands among VTK's other machinery.
 
 #include "ShadowOracle.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The pass with a delegate, in several windows, and with what is no surface. See also Composition.cxx.
 
 #include "ShadowStage.h"

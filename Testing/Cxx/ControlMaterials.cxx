@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // All that VTK can draw goes on being drawn as VTK draws it, times the shadow.
 
 #include "ShadowOracle.h"

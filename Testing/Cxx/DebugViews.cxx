@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Debug views show something, and leave no trace.
 
 #include "ShadowStage.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Data far from their origin, where VTK's shaders work on coordinates whose magnitude is rounded, and
 // sizes that differ by far in one scene: what a position may be off is bounded for each prop.
 

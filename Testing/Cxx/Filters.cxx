@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the filters of one map a light promise: leaving out changes nothing, penumbrae follow the
 // light, midpoints fall back, the blur has no halo. Techniques are known by their parameters.
 

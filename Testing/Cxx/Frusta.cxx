@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a map holds must not show in the picture: things that move far away, many flat things, things
 // that cast nothing, a sky around everything.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The harness itself: that it sees what it is there to see.
 
 #include "ShadowOracle.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What pipelines hand over: mappers whose upstream is not to run, and emission textures of any image.
 
 #include "ShadowStage.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Bodies that are seen from within: rooms, glass, culled walls, what clipping planes or the near plane
 // cut open. Their volumes are to hold the inside too, as rays tell.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Laws: limits are what they tend to. A light without size is hard; a shadow begins at its caster.
 
 #include "ShadowOracle.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Laws: a scene's unit, place and direction change nothing.
 //
 // Moving a scene rounds all its coordinates anew, by 1e-7 of its size in floats. That can turn what a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Laws: the same scene gives the same picture, however it was come to and evaluated.
 
 #include "ShadowStage.h"

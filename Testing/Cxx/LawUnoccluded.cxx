@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Laws: what nothing hides is lit, exactly; visibility is a share.
 
 #include "ShadowOracle.h"

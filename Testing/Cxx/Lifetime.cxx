@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Life and death of passes: frames from the backing store, several renderers, passes within passes,
 // contexts that end, and what a pass or a catcher leaves behind. See also Memory.cxx.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every kind of light casts the shadow of its place: against the oracle, for lights without size.
 // Pixels that differ lie on edges, 500 of 25,600, where a texel and a pixel see different points.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Many lights at once, cones of every width, and lights that change between frames. Single lights of
 // each kind are LightKinds.cxx's.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is held on the GPU: no more than is told, and nothing once shadows are off.
 
 #include "ShadowStage.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What shadows on planes promise beyond the laws: which planes, which casters, and what a frame costs.
 
 #include "ShadowOracle.h"

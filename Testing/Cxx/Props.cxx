@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every kind of prop goes on being drawn as VTK draws it, and casts the shadow of what VTK draws.
 
 #include "ShadowOracle.h"

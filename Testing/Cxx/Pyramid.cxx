@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The depth pyramid: every level is what the maps' texels say; and no technique reads the image that it
 // draws into, which OpenGL leaves undefined.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What users write into VTK's shaders (vtkShaderProperty) is drawn as without a pass, times the
 // shadow.
 

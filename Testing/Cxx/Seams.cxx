@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where techniques of another kind than those that there are join: each of these is one, made here in a
-// few lines. And that a pass can change from any technique to any other.
+// few lines.
 
 #include "ShadowOracle.h"
 #include "ShadowStage.h"
@@ -14,8 +15,10 @@
 #include "vtkShadowFrame.h"
 #include "vtkShadowOpenGL.h"
 #include "vtkShadowPass.h"
+#include "vtkShadowSelection.h"
 #include "vtkShadowTechnique.h"
 #include "vtkShadowTechniques.h"
+#include "vtkShadowVertices.h"
 #include "vtkVisibilityBuffer.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -42,8 +45,8 @@ public:
 
   bool UpdateLightData(vtkShadowFrame& frame) override
   {
-    this->Changes.Update(frame, frame.VCToWC != this->VCToWC || !this->Maps.GetHandle());
-    this->VCToWC = frame.VCToWC;
+    this->Changes.Update(frame, frame.VCToSWC != this->VCToSWC || !this->Maps.GetHandle());
+    this->VCToSWC = frame.VCToSWC;
     frame.Counts["fittedMaps"] = 0;
     if (!this->Changes.IsAny())
     {
@@ -67,10 +70,10 @@ public:
     vtkShadowFramebuffer::Scope target(frame.Window, this->Framebuffer, nullptr, &this->Maps, 0);
     for (int i = 0; i < layers; ++i)
     {
-      const glm::dmat4 WCToClip = this->Fit(frame, i, receivers);
+      const glm::dmat4 SWCToClip = this->Fit(frame, i, receivers);
       this->VCToLC.emplace_back(glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)) *
-                                glm::scale(glm::dmat4(1.0), glm::dvec3(0.5)) * WCToClip *
-                                frame.VCToWC);
+                                glm::scale(glm::dmat4(1.0), glm::dvec3(0.5)) * SWCToClip *
+                                frame.VCToSWC);
       target.SetLayer(i);
       const float farthest = 1.0f;
       glClearBufferfv(GL_DEPTH, 0, &farthest);
@@ -79,7 +82,7 @@ public:
       {
         casters[k] = static_cast<int>(k);
       }
-      frame.Drawing->Draw(frame.Window, WCToClip, casters);
+      frame.Drawing->Draw(frame.Window, SWCToClip, casters);
       frame.Counts["fittedMaps"] += 1;
     }
     return true;
@@ -134,7 +137,7 @@ private:
     {
       if (vtkShadowReceiver::IsOne(texel))
       {
-        const glm::dvec3 p(turn * frame.VCToWC * glm::dvec4(glm::dvec3(texel), 1.0));
+        const glm::dvec3 p(turn * frame.VCToSWC * glm::dvec4(glm::dvec3(texel), 1.0));
         low = glm::min(low, p);
         high = glm::max(high, p);
       }
@@ -154,7 +157,7 @@ private:
   }
 
   vtkShadowChanges Changes;
-  glm::dmat4 VCToWC{ 0.0 };
+  glm::dmat4 VCToSWC{ 0.0 };
   std::vector<glm::mat4> VCToLC;
   vtkShadowTexture Maps;
   vtkShadowFramebuffer Framebuffer;
@@ -177,7 +180,6 @@ public:
     state->vtkglDisable(GL_DEPTH_TEST);
     state->vtkglEnable(GL_BLEND);
     state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
-    state->vtkglEnable(GL_SCISSOR_TEST);
     const int width = buffer.GetWidth() / 3;
     for (int i = 0; i < static_cast<int>(frame.Parts.size()); ++i)
     {
@@ -185,7 +187,7 @@ public:
       for (const auto& [third, share] :
         { std::pair(0, -0.75f), { 0, -0.75f }, { 1, 0.5f }, { 2, -0.25f } })
       {
-        state->vtkglScissor(third * width, 0, width, buffer.GetHeight());
+        target.SetRectangle(third * width, 0, width, buffer.GetHeight());
         frame.Quad->Draw(frame.Window,
           "//VTK::System::Dec\n//VTK::Output::Dec\nuniform float testShare;\n"
           "void main() { gl_FragData[0] = vec4(vec3(testShare), 0.0); }\n",
@@ -278,6 +280,112 @@ public:
     throw std::runtime_error("the technique's own reason");
   }
   void Release(vtkOpenGLRenderWindow*) override {}
+};
+
+/**
+ * Light data in two targets at once, one of them of integers, drawn from vertices of its own into a tile of
+ * an atlas; and receivers that are chosen on the GPU, of those to the right of the picture's middle.
+ */
+class Tiles : public vtkShadowTechnique
+{
+public:
+  using vtkShadowTechnique::vtkShadowTechnique;
+
+  bool UpdateLightData(vtkShadowFrame& frame) override
+  {
+    using Format = vtkShadowTexture::Format;
+    if (!this->Colors.Allocate(frame.Window, Format::Byte4, 64, 64, 1) ||
+        !this->Numbers.Allocate(frame.Window, Format::Integer1, 64, 64, 1))
+    {
+      return false;
+    }
+    // A place and a value each: a square over all that is drawn into.
+    this->Vertices.Upload({ -1, -1, 0.25f, 1, -1, 0.25f, -1, 1, 0.25f, 1, 1, 0.25f },
+      { { "testPlace", 2 }, { "testValue", 1 } });
+    vtkOpenGLState* state = frame.Window->GetState();
+    vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+    vtkShadowFramebuffer::Scope target(
+      frame.Window, this->Framebuffer, { &this->Colors, &this->Numbers }, nullptr, 0);
+    state->vtkglDisable(GL_DEPTH_TEST);
+    const float none[] = { 0.0f, 0.0f, 0.0f, 0.0f };
+    const GLuint zero[] = { 0, 0, 0, 0 };
+    glClearBufferfv(GL_COLOR, 0, none);
+    glClearBufferuiv(GL_COLOR, 1, zero);
+    target.SetRectangle(32, 0, 32, 64);
+    const vtkShadowPrograms::Sources sources{ VertexShader, nullptr, FragmentShader, "", false };
+    this->Vertices.Draw(
+      frame.Window, GL_TRIANGLE_STRIP, 0, this->Vertices.GetCount(), sources, nullptr);
+    this->Selection.Start(frame, *frame.Receivers,
+      "bool shadowSelect(vec4 receiverVC) { return receiverVC.x > 0.0; }\n");
+    const auto& texels = frame.Receivers->Read(frame.Window);
+    std::size_t wanted = 0;
+    std::size_t wrong = 0;
+    const auto& chosen = this->Selection.Finish();
+    for (std::size_t i = 0; i < texels.size(); ++i)
+    {
+      if (vtkShadowReceiver::IsOne(texels[i]) && texels[i].x > 0.0f)
+      {
+        const bool same = wanted < chosen.size() &&
+                          chosen[wanted].Number == static_cast<float>(i) &&
+                          chosen[wanted].Receiver == texels[i];
+        wrong += same ? 0 : 1;
+        ++wanted;
+      }
+    }
+    frame.Counts["wanted"] = static_cast<double>(wanted);
+    frame.Counts["chosen"] = static_cast<double>(chosen.size());
+    frame.Counts["chosenWrongly"] = static_cast<double>(wrong);
+    return true;
+  }
+  std::string GetVisibilityGLSL() override
+  {
+    return "uniform sampler2DArray testColors;\nuniform usampler2DArray testNumbers;\n"
+           "SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionVC, vec3 normalVC)\n{\n"
+           "  float tile = texelFetch(testColors, ivec3(48, 10, 0), 0).r;\n"
+           "  float beside = texelFetch(testColors, ivec3(10, 10, 0), 0).r;\n"
+           "  uint number = texelFetch(testNumbers, ivec3(48, 10, 0), 0).r;\n"
+           "  return SHADOW_VISIBILITY(tile + beside + (number == 4000000007u ? 0.5 : 0.0));\n}\n";
+  }
+  void Activate(vtkShadowFrame& frame) override
+  {
+    this->Colors.Activate(frame.Window);
+    this->Numbers.Activate(frame.Window);
+  }
+  void Deactivate(vtkShadowFrame& frame) override
+  {
+    this->Colors.Deactivate(frame.Window);
+    this->Numbers.Deactivate(frame.Window);
+  }
+  void SetVisibilityParameters(vtkShaderProgram* program) override
+  {
+    program->SetUniformi("testColors", this->Colors.GetUnit());
+    program->SetUniformi("testNumbers", this->Numbers.GetUnit());
+  }
+  void Release(vtkOpenGLRenderWindow* window) override
+  {
+    this->Colors.Release(window);
+    this->Numbers.Release(window);
+    this->Framebuffer.Release(window);
+    this->Vertices.Release();
+    this->Selection.Release();
+  }
+
+private:
+  static constexpr const char* VertexShader =
+    "//VTK::System::Dec\nin vec2 testPlace;\nin float testValue;\nout float testValueVSOutput;\n"
+    "void main()\n{\n  testValueVSOutput = testValue;\n"
+    "  gl_Position = vec4(testPlace, 0.0, 1.0);\n}\n";
+  static constexpr const char* FragmentShader =
+    "//VTK::System::Dec\n#extension GL_ARB_explicit_attrib_location : require\n"
+    "in float testValueVSOutput;\n"
+    "layout(location = 0) out vec4 testColor;\nlayout(location = 1) out uint testNumber;\n"
+    "void main()\n{\n  testColor = vec4(testValueVSOutput);\n  testNumber = 4000000007u;\n}\n";
+
+  vtkShadowTexture Colors;
+  vtkShadowTexture Numbers;
+  vtkShadowFramebuffer Framebuffer;
+  vtkShadowVertices Vertices;
+  vtkShadowSelection Selection;
 };
 
 template <typename Technique>
@@ -374,6 +482,40 @@ SHADOW_TEST(Seams, SignedShares, Once)
 }
 
 //------------------------------------------------------------------------------
+// What light data can be drawn into, and with; and that what is chosen on the GPU is what was meant.
+SHADOW_TEST(Seams, TargetsAndSelection, Once)
+{
+  ShadowStage stage;
+  stage.AddThings();
+  stage.AddLight(LightKind::Point);
+  vtkShadowTraits traits;
+  traits.NeedsReceivers = true;
+  SetPass<Tiles>(stage, "test-tiles", traits);
+  for (int frame = 0; frame < 2; ++frame)
+  {
+    stage.Render();
+    ShadowTest::CheckAtLeast(stage.Count("wanted"), 5000.0, "receivers on the right");
+    ShadowTest::CheckEqual(stage.Count("chosen"), stage.Count("wanted"), "receivers chosen");
+    ShadowTest::CheckEqual(stage.Count("chosenWrongly"), 0.0, "of them others than meant");
+    const Visibility visibility = stage.GetVisibility();
+    int wrong = 0;
+    int lit = 0;
+    for (std::size_t i = 0; i < visibility.V.size(); ++i)
+    {
+      lit += visibility.Mask[i] != 0 && visibility.V[i] > 0.0f ? 1 : 0;
+      // 0.25 in 8 bits; turned away from the light it is 0.
+      wrong += visibility.Mask[i] != 0 && visibility.V[i] != 0.0f &&
+                   std::abs(visibility.V[i] - (0.5f + 64.0f / 255.0f)) > 1e-6f
+                 ? 1
+                 : 0;
+    }
+    ShadowTest::CheckAtLeast(lit, 10000.0, "receivers that face the light");
+    ShadowTest::CheckEqual(wrong, 0.0, "pixels of another V than the tile tells");
+  }
+  ShadowTest::CheckNoMessage("tiles");
+}
+
+//------------------------------------------------------------------------------
 // Two techniques at once, one of them by signed shares.
 SHADOW_TEST(Seams, TwoInOneFrame, Once)
 {
@@ -422,69 +564,4 @@ SHADOW_TEST(Seams, Exceptions, Once)
     ShadowTest::CheckNoMessage("after it");
     ShadowTest::Check(Same(stage.GetPicture(), plain), "the picture is not that without shadows");
   }
-}
-
-//------------------------------------------------------------------------------
-// One pass through all techniques, in a window that runs: what a new one shows, with nothing gathered
-// anew, and nothing kept of the others.
-SHADOW_TEST(Seams, Switching, Once)
-{
-  ShadowStage stage;
-  stage.AddThings();
-  stage.AddLight(LightKind::Sphere);
-  const auto pass = vtkSmartPointer<vtkShadowPass>::New();
-  stage.Pass = pass;
-  stage.Renderer->SetPass(pass);
-  stage.Render();
-  std::vector<std::string> names;
-  for (int i = 0; i < vtkShadowTechniques::GetNumberOfTechniques(); ++i)
-  {
-    const std::string name = vtkShadowTechniques::GetName(i);
-    if (name.find("test-") != 0 && name.find("probe") == std::string::npos)
-    {
-      names.push_back(name);
-    }
-  }
-  const auto set = [](vtkShadowPass* target, const std::string& name)
-  {
-    ShadowTest::Check(target->SetTechnique(name), name + " was not taken");
-    for (const auto& value : { std::pair("samples", "8"), { "resolution", "256" } })
-    {
-      if (ShadowStage::HasParameter(name, value.first))
-      {
-        target->SetParameter(value.first, value.second);
-      }
-    }
-  };
-  for (int round = 0; round < 2; ++round)
-  {
-    for (const auto& name : names)
-    {
-      set(pass, name);
-      stage.Render();
-      ShadowTest::CheckEqual(stage.Count("castersRebuilt"), 0.0, name + ": casters gathered anew");
-      const Visibility visibility = stage.GetVisibility();
-      const std::size_t bytes = stage.GetBytes();
-      const int objects = stage.CountGLObjects();
-      ShadowTest::CheckNoMessage(name);
-      if (round == 1)
-      {
-        continue;
-      }
-      ShadowStage alone;
-      alone.AddThings();
-      alone.AddLight(LightKind::Sphere);
-      alone.Pass = vtkSmartPointer<vtkShadowPass>::New();
-      set(alone.Pass, name);
-      alone.Renderer->SetPass(alone.Pass);
-      alone.Render();
-      ShadowTest::Check(Same(visibility, alone.GetVisibility()), name + ": another V than alone");
-      ShadowTest::CheckEqual(static_cast<double>(bytes), static_cast<double>(alone.GetBytes()),
-        name + ": bytes on the GPU, and alone");
-      ShadowTest::CheckAtMost(objects, alone.CountGLObjects(), name + ": GL objects, and alone");
-    }
-  }
-  ShadowTest::Check(!pass->SetTechnique("map-nothing"), "an unknown technique was taken");
-  ShadowTest::CheckOneMessage(Message::Error, { "map-nothing", names.front() }, "an unknown one");
-  ShadowTest::Check(pass->GetTechnique() == names.back(), "the technique is no more what it was");
 }

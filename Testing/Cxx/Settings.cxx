@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a program sets and asks: parameters in every locale, a visibility of each light, the registry
 // of techniques, and that all of it is answered.
 

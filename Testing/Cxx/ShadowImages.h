@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Visibilities and pictures, and how they differ.
 
 #ifndef ShadowImages_h

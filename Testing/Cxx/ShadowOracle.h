@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a scene's visibility must be: every pixel's surface and every shadow ray by brute force over
 // all triangles, in double precision. Shares no code with the library.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One of each kind of prop that VTK draws, at a place of the scene, about as large as a ball of
 // radius 0.6: for tests of what casts and what receives.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the image regression tests of all families share: one scene, one technique, one picture,
 // compared with its baseline twice.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A window with a scene in it, one pass, and what the tests ask of them. See also ShadowOracle.h.
 
 #ifndef ShadowStage_h

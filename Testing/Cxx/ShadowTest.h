@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What every test is made of: its registration, checks, and the messages of VTK and OpenGL.
 //
 //   SHADOW_TEST(Law, UnoccludedIsOne, Each) { ... technique ... }

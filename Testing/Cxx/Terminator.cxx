@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `terminator`: on a prop that its normals shade, facets hide nothing of what those normals light; the
 // shadows of other things stay where they are; and what is flat stays as it is, bit by bit.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Surfaces of cells that are not flat: terrain, structured grids, skins of finite elements. What casts
 // is what VTK draws, cut along the same diagonals; a map's bias does not light what lies in shadow.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Translucent props: by which rule they cast, and that they are drawn, in order, and receive.
 
 #include "ShadowOracle.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What stencil shadow volumes promise: every way of counting gives the truth wherever the eye is, any
 // mesh will do, counts never wrap to light, and what is not needed is not made.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """check_package.py PREFIX TECHNIQUE...: the package lies under PREFIX, with just these techniques,
 and uses no library from elsewhere."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """check_picture.py PICTURE...: each picture of the example shows soft shadows on the plane, and all
 pictures are the same."""
 

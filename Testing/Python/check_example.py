@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """check_example.py EXAMPLE PICTURE SHADOW_X SHADOW_Y LIT_X LIT_Y: an example of the documentation
 runs, says no error, and draws a picture in which one place lies in shadow and the other does not.
 

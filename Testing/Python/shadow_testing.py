@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What the Python tests share: scenes, pictures as numpy arrays, and an ear for VTK's errors."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Which props cast and receive, and which lights cast."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Among VTK's other features: what is lit is the picture that VTK draws with them, to 1/255."""
 
 import numpy as np

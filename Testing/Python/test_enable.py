@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """enable and disable: shadows on an existing program by a line, and off again."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Windows that close, passes that come and go: nothing keeps what VTK alone would let go."""
 
 import gc

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Several lights: each has its own shadow, and the picture is the sum."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Turning shadows off gives the memory back, whatever way they are turned off."""
 
 import gc

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The package imports in silence, and holds what it should at its top level."""
 
 import subprocess

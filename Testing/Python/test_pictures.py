@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The one line renderer.SetPass(pass) shadows a scene and leaves the rest of the picture alone."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Kinds of props: each casts the shadow of what VTK draws, and is drawn as VTK draws it."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What a Python user sets: the arguments of enable, errors that name the choices, locales, versions."""
 
 import locale

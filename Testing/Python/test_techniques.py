@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Create, Describe, SetParameter, quality and debug views: without a window."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """An interactor's tools: what of them casts, and how to leave it out."""
 
 from vtkmodules.vtkInteractionWidgets import vtkBoxRepresentation, vtkBoxWidget, vtkBoxWidget2, \

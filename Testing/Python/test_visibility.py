@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Visibility as numpy: against the closed form of the scene blocker, and as data."""
 
 import json

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Bench.h"
 
 #include "BenchMeasure.h"

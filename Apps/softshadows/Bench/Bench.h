@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // softshadows bench: error against run time.
 
 #ifndef Bench_h

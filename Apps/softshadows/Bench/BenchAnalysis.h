@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What follows from a benchmark's figures: fronts, times beside rays of the same error, advice,
 // exponents. From results.json's own form to results.json's own form.
 

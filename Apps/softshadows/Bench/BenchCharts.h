@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The plots of the report, drawn by VTK's charts.
 
 #ifndef BenchCharts_h

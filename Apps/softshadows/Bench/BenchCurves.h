@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the report's charts show.
 
 #ifndef BenchCurves_h

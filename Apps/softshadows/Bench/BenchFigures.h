@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The figures of results.json, any of which may be missing, and how the report writes them.
 
 #ifndef BenchFigures_h

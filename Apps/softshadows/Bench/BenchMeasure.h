@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One case of a benchmark: each entry's error once, then the times of all in turns.
 
 #ifndef BenchMeasure_h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pictures within the text of a page.
 
 #ifndef BenchPictures_h

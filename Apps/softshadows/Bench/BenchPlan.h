@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a benchmark measures: cases (scenes as they are drawn) and entries (ways to draw their shadows).
 // A suite is such a plan as data: suites/NAME.json, described by suites/suite.schema.json.
 

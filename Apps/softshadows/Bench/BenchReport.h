@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The page that shows the results of softshadows bench.
 
 #ifndef BenchReport_h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a benchmark measured, as results.json (Documentation/results/results.schema.json), results.csv
 // and report.html.
 

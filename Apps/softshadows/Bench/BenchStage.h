@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The scene of a benchmark's case in its window, and what moves in it.
 
 #ifndef BenchStage_h

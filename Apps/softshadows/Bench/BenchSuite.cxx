@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Suites: plans as data.
 
 #include "BenchPlan.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The tables of the report, as its template wants them.
 
 #ifndef BenchTables_h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // VTK's own shadows as one pass.
 
 #ifndef VTKShadowPass_h

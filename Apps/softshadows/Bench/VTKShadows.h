@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // VTK's own shadows, vtkShadowMapPass, to measure the techniques beside.
 
 #ifndef VTKShadows_h

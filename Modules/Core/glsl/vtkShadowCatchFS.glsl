@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Injected into a shadow catcher's fragment shader: its lights' brightness with shadow in red, without
 // in green.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 
 // Debug views that every technique has: see vtkShadowPass::SetDebugView.

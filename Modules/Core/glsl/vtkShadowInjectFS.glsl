@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Injected into each prop's fragment shader, before its lights.
 
 uniform bool shadowCasts; // this prop casts

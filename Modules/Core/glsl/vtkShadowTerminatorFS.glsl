@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The shadow terminator of smoothly shaded facets. Facets turn away from the light, and hide each other
 // from it, where the normals that shade them still see it: shadows cut the shading along facets. As in
 // J. Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II, 2021, ch. 4, the receiver rises from

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 
 // One level of a depth pyramid, from the level before; or, with SHADOW_FIRST_LEVEL, from the maps: see

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Asks a depth pyramid (see vtkShadowDepthPyramid).
 
 uniform sampler2DArray shadowPyramid;

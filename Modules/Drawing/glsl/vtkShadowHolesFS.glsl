@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Of casters with holes, in the place of //VTK::ShadowHoles::Dec in their fragment shaders.
 
 in vec3 shadowPlaceVSOutput; // texture coordinates, alpha

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The casting lights: shared by the injected code and the evaluation in screen space. Vectors end in
 // their space: VC view, LC light (a map's texture coordinates). What `light` numbers are parts of lights
 // (see vtkShadowLightPart).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Reads the receivers' buffer: what shadowPackReceiver in vtkShadowInjectFS.glsl has packed. Shaders that
 // use it enable GL_ARB_shader_bit_encoding.
 

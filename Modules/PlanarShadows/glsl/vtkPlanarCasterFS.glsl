@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 
 // What a caster leaves on the plane: see vtkPlanarShadowMaps.

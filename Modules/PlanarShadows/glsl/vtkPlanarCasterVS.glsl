@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 
 // Projects a caster onto a plane (thesis equation 2.4, composed on the CPU in double). What is no

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // planar-fake: the mask of the light's centre, filtered as widely as the light's size and the height
 // of the casters spread it. Vectors of a record, in units of the layer (place: [0,1] in x and y):
 //

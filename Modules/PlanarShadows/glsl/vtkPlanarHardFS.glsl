@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // planar-hard: the mask of this very pixel.
 
 SHADOW_VISIBILITY shadowLookUp(int record, float layer, vec3 positionVC)

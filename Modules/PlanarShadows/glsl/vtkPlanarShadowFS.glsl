@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Visibility on planes: finds the plane that the receiver lies in, and asks shadowLookUp for that
 // plane's shadow from a light. Anything else sees all of the light.
 //

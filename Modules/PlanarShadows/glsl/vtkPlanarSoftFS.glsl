@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // planar-soft: what the samples of the light left, interpolated. A record's second and third vectors
 // are the rows from VC to the layer. SHADOW_CHANNELS: rrr, or rgb where a light is textured.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 
 // Debug view: the layers side by side, dark where there is shadow; blue where there is no layer.

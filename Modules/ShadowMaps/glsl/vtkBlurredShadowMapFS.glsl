@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 #extension GL_ARB_shader_bit_encoding : require
 

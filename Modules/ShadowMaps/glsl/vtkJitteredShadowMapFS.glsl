@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // map-jitter: see vtkJitteredShadowMapPass.
 
 float shadowFilter(int view, shadowKernel kernel)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // map-pcss: see vtkPercentageCloserSoftShadowPass.
 
 float shadowFilter(int view, shadowKernel kernel)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The width of filters that do not look for blockers: that of a blocker which lies in front of the
 // receiver by a share of the casters' extent.
 

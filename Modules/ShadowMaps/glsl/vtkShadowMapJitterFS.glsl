@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The mean of stratified look-ups that differ from pixel to pixel, of which a few decide whether the
 // others are needed: Uralsky, Efficient soft-edged shadows using pixel shader branching, GPU Gems 2,
 // 2005, chapter 17; Zapotocky, Soft shadows on GPU, 2007, section 3.4.

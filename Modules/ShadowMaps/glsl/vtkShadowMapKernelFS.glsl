@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the filters of one map a light share: the light as a receiver sees it over the map, look-ups
 // there, and what is surely lit or dark.
 //

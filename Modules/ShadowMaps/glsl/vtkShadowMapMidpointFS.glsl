@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 
 // A midpoint map: Woo, The shadow depth map revisited, Graphics Gems III, 1992; Zapotocky, Soft

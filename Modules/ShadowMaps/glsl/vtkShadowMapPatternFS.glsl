@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The mean of look-ups in a pattern that is the same for all pixels.
 
 uniform samplerBuffer shadowPattern; // xy: points of the disk, zw: of the square

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 
 // Depth layers of the casters for midpoint maps: which side of a face they show; with SHADOW_SECOND

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Blocker search and penumbra estimate of percentage-closer soft shadows: Fernando, Percentage-closer
 // soft shadows, 2005; Zapotocky, Soft shadows on GPU, 2007, section 3.5 and equation 3.3.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 
 // Debug view: the depth maps side by side, near white, far black, empty blue.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The views of depth maps: see vtkShadowMaps.
 //
 // A view is SHADOW_VIEW_VECTORS vectors: the rows of the matrix from VC to the map ([0,1] in x, y and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Visibility from depth maps: one for a hard shadow, one for each sample of an accumulated one.
 
 SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionVC, vec3 normalVC)

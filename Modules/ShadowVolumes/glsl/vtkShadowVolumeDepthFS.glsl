@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 
 // The receivers' depth, from their positions, as the volumes are drawn with: see vtkShadowVolumes.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 
 // Takes a sample's weight away where its volumes lie: the stencil test, or wide counts, say where.

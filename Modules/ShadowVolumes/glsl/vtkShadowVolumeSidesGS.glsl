@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 
 // A silhouette edge to the side of its volume, seen counterclockwise from outside.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // consumer TECHNIQUE...: whether just these techniques are there, and can be made.
 
 #include <vtkShadowPass.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the tests of this module share: checks that tell where and what, and count.
 
 #ifndef ShadowTesting_h

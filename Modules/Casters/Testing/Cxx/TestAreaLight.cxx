@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // vtkAreaLight: defaults, shape names, clamps, copies, modification time, PrintSelf.
 
 #include "ShadowTesting.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Sobol's points, the disk map, a light's samples and their weights, and which lights cast at all.
 
 #include "ShadowTesting.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // vtkShadowMesh: which triangles cast, what they become, and whether they are flat.
 
 #include "ShadowTesting.h"

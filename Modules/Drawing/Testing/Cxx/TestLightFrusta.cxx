@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // vtkLightFrusta: the views hold all that casts, and no more; no window is needed.
 
 #include "ShadowTesting.h"
@@ -115,20 +116,20 @@ public:
 //------------------------------------------------------------------------------
 bool IsInside(const vtkLightView& view, const glm::dvec3& place, double border)
 {
-  const glm::dvec4 clip = view.WCToClip * glm::dvec4(place, 1.0);
+  const glm::dvec4 clip = view.SWCToClip * glm::dvec4(place, 1.0);
   const double window = clip.w * (1.0 - border);
   return clip.w > 0.0 && std::abs(clip.x) <= window && std::abs(clip.y) <= window &&
          std::abs(clip.z) <= clip.w;
 }
 
-/** Vertices of a caster, in WC. */
+/** Vertices of a caster, in SWC. */
 std::vector<glm::dvec3> GetVertices(const vtkShadowCaster& caster)
 {
   std::vector<glm::dvec3> vertices;
   for (std::size_t i = 0; i < caster.Mesh->GetNumberOfVertices(); ++i)
   {
     const float* p = &caster.Mesh->Positions[3 * i];
-    vertices.emplace_back(caster.MeshToWC * glm::dvec4(p[0], p[1], p[2], 1.0));
+    vertices.emplace_back(caster.MeshToSWC * glm::dvec4(p[0], p[1], p[2], 1.0));
   }
   return vertices;
 }
@@ -203,7 +204,7 @@ void TestCornersInside(const glm::dvec3& origin)
     {
       for (const auto& corner : scene.Casters.Get().at(i).Corners)
       {
-        const glm::dvec4 clip = views.at(0).WCToClip * glm::dvec4(corner, 1.0);
+        const glm::dvec4 clip = views.at(0).SWCToClip * glm::dvec4(corner, 1.0);
         low = glm::min(low, glm::dvec2(clip) / clip.w);
         high = glm::max(high, glm::dvec2(clip) / clip.w);
       }
@@ -227,7 +228,7 @@ void TestClipSpace()
   double last = -2.0;
   for (double z = 1.0; z >= -1.0; z -= 0.25)
   {
-    const glm::dvec4 clip = views.at(0).WCToClip * glm::dvec4(glm::dvec3(0, 0, z) - origin, 1.0);
+    const glm::dvec4 clip = views.at(0).SWCToClip * glm::dvec4(glm::dvec3(0, 0, z) - origin, 1.0);
     CHECK_NEAR(clip.w, 5.0 - z, 1e-9);
     CHECK(clip.z / clip.w > last);
     last = clip.z / clip.w;
@@ -356,7 +357,7 @@ void TestAmongCasters()
   const vtkShadowCaster& diagonal = scene.Casters.Get().at(3);
   for (const double x : { 0.1, 0.3, -0.3 })
   {
-    const glm::dvec3 p(diagonal.MeshToWC * glm::dvec4(x, 0.15, 0.2, 1.0));
+    const glm::dvec3 p(diagonal.MeshToSWC * glm::dvec4(x, 0.15, 0.2, 1.0));
     int seen = 0;
     for (const auto& view : views)
     {
@@ -421,7 +422,7 @@ void TestNeighbours()
     CHECK_EQUAL(std::count(cut.begin(), cut.end(), true), 1);
     if (radius == 0.0)
     {
-      CHECK(around.at(0).WCToClip == plain.at(0).WCToClip);
+      CHECK(around.at(0).SWCToClip == plain.at(0).SWCToClip);
       continue;
     }
     // Its near side is 4.1 away: the light's centre sees that of a receiver within the cone's border.
@@ -489,12 +490,12 @@ void TestDirectional()
       for (const auto& corner : scene.Casters.Get().at(i).Corners)
       {
         CHECK(IsInside(views.at(0), corner, Border));
-        CHECK_NEAR((views.at(0).WCToClip * glm::dvec4(corner, 1.0)).w, 1.0, 1e-12);
+        CHECK_NEAR((views.at(0).SWCToClip * glm::dvec4(corner, 1.0)).w, 1.0, 1e-12);
       }
     }
     // z rises away from the light.
-    const glm::dvec4 near = views.at(0).WCToClip * glm::dvec4(towards, 1.0);
-    const glm::dvec4 far = views.at(0).WCToClip * glm::dvec4(-towards, 1.0);
+    const glm::dvec4 near = views.at(0).SWCToClip * glm::dvec4(towards, 1.0);
+    const glm::dvec4 far = views.at(0).SWCToClip * glm::dvec4(-towards, 1.0);
     CHECK(near.z < far.z);
     // Six units of scene in a window of ten at most, floor or no floor.
     CHECK(GetWindow(views.at(0)) < 100.0);
@@ -631,8 +632,8 @@ void TestGroups()
       const vtkLightView& first = views.at(views.at(0).Casters.at(0) == 1 ? 0 : 1);
       CHECK_EQUAL(first.Casters.size(), std::size_t(1));
       CHECK_EQUAL(first.Casters.at(0), 1);
-      CHECK(i == 0 || first.WCToClip == still);
-      still = first.WCToClip;
+      CHECK(i == 0 || first.SWCToClip == still);
+      still = first.SWCToClip;
       for (const auto& view : views)
       {
         int inside = 0;
@@ -686,7 +687,7 @@ void TestSteps()
         for (const auto& corner : caster.Corners)
         {
           CHECK(IsInside(view, corner, 3.0 / Resolution));
-          const glm::dvec4 clip = view.WCToClip * glm::dvec4(corner, 1.0);
+          const glm::dvec4 clip = view.SWCToClip * glm::dvec4(corner, 1.0);
           low = glm::min(low, glm::dvec2(clip) / clip.w);
           high = glm::max(high, glm::dvec2(clip) / clip.w);
         }
@@ -694,7 +695,8 @@ void TestSteps()
       const double least = 2.0 / std::exp2(0.125) - 8.0 / Resolution;
       CHECK(high.x - low.x > least && high.y - low.y > least);
       // A fixed point in texels.
-      const glm::dvec4 clip = view.WCToClip * glm::dvec4(scene.Casters.Get().at(0).Corners[0], 1.0);
+      const glm::dvec4 clip =
+        view.SWCToClip * glm::dvec4(scene.Casters.Get().at(0).Corners[0], 1.0);
       for (int axis = 0; axis < 2; ++axis)
       {
         const double side = glm::length(axis == 0 ? view.WindowX : view.WindowY);

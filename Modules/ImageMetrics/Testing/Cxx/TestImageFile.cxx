@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Round trips through every promised format, orientation against VTK's own PNG reader and writer,
 // and failures that leave nothing behind.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Figures against values computed by hand.
 
 #include "ImageMetricsTesting.h"

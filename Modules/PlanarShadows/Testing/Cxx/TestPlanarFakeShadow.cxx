@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The filtered projection: sharp at contacts, wider with the casters' height, without bands.
 
 #include "ShadowRegression.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The hard shadow on the floor: crisp at each pixel; the bodies receive none.
 
 #include "ShadowRegression.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Accumulated projections: crisp where the column stands, soft away from it; only the floor receives.
 
 #include "ShadowRegression.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The reference: a rectangular light over things at different heights, on them and on the floor. So
 // many rays that the noise is under the comparison's tolerance.
 

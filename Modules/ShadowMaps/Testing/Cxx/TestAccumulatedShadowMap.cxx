@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Accumulated shadow maps of a disk light: the column's and the poles' shadows are crisp where they
 // stand and soften with the distance.
 

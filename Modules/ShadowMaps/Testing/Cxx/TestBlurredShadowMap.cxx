@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The blurred mask: smooth edges, no halo along silhouettes.
 
 #include "ShadowRegression.h"

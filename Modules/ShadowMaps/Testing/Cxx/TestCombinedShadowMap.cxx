@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The combined method: sharp at contacts, soft far from them, with fine noise.
 
 #include "ShadowRegression.h"

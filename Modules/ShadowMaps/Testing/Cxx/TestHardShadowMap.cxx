@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The hard shadow map: crisp edges, no acne, no gap where a caster stands on the floor. The light
 // is a rectangle, taken for its centre.
 

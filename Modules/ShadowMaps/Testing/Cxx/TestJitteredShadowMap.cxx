@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Jittered filtering: penumbrae as wide everywhere, fine noise instead of steps.
 
 #include "ShadowRegression.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Percentage-closer soft shadows: sharp at contacts, soft far from them.
 
 #include "ShadowRegression.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Hard shadow volumes: edges crisp to the pixel, self-shadows, contacts closed. The light is a
 // rectangle, taken for its centre.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Accumulated shadow volumes: penumbrae that widen with the distance from the caster.
 
 #include "ShadowRegression.h"
