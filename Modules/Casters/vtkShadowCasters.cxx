@@ -262,6 +262,13 @@ glm::dvec3 vtkShadowCasters::GetMiddle(const std::vector<int>& casters) const
 }
 
 //------------------------------------------------------------------------------
+std::vector<vtkLightSample> vtkShadowCasters::GetPlaces(
+  const vtkShadowLight& light, int count, const std::vector<int>& casters) const
+{
+  return light.GetPlaces(light.IsPoint() ? 1 : count, this->GetMiddle(casters) + this->Origin);
+}
+
+//------------------------------------------------------------------------------
 std::size_t vtkShadowCasters::GetNumberOfVertices() const
 {
   return Sum(this->Casters, [](const vtkShadowMesh& m) { return m.GetNumberOfVertices(); });

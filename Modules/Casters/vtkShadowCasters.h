@@ -30,6 +30,8 @@
 class vtkProp;
 class vtkRenderer;
 class vtkShadowMeshes;
+struct vtkLightSample;
+struct vtkShadowLight;
 struct vtkShadowLightPart;
 
 /** Whether translucent casters cast: not at all, as if they were opaque, or by their opacity. */
@@ -91,6 +93,12 @@ public:
   const glm::dvec3& GetOrigin() const { return this->Origin; }
   /** Mean of the middles of some casters' boxes, in SWC. */
   glm::dvec3 GetMiddle(const std::vector<int>& casters) const;
+  /**
+   * Places on a light for light data of some casters, in the world (see vtkShadowLight::GetPlaces): those
+   * of a sphere lie on the disk that faces the casters' middle, since no one receiver is meant.
+   */
+  std::vector<vtkLightSample> GetPlaces(
+    const vtkShadowLight& light, int count, const std::vector<int>& casters) const;
   /** Diagonal of the box around all casters, in world units. */
   double GetSize() const { return this->Size; }
   /** Rises with every change of what casts. */

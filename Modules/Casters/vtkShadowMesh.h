@@ -30,7 +30,7 @@ struct VTKSOFTSHADOWSCASTERS_EXPORT vtkShadowMesh
   bool Flat = false;            // all vertices lie in one plane:
   glm::dvec3 Normal{ 0.0 };     // its unit normal
   glm::dvec3 PlanePoint{ 0.0 }; // one of its points
-  bool Sheet = false;           // flat, and surely no body, however far from the model's origin
+  bool Sheet = false;           // flat, and no body, however far from the model's origin
   std::size_t Dropped = 0;      // triangles that were degenerate or not finite
   std::size_t NotFinite = 0;    // those of them that were not finite
   std::size_t Clear = 0;        // triangles that were left out because alpha makes them one hole

@@ -368,7 +368,7 @@ private:
     {
       body += "  float shadowFootprint = 4.0 * (length(shadowDxVC) + length(shadowDyVC));\n";
       body += "  SHADOW_VISIBILITY shadowSeen[SHADOW_LIGHTS];\n";
-      const auto call = [this](const std::string& light)
+      const auto call = [](const std::string& light)
       {
         return "  shadowSeen[" + light + "] = shadowSee(" + light +
                ", shadowPositionVC, shadowNormalVC, shadowFootprint);\n";

@@ -182,8 +182,9 @@ double vtkShadowInjector::GetRounding(vtkAbstractMapper* mapper, vtkProp* prop) 
     bounds = data ? data->GetBounds() : whole->GetBounds();
   }
   const vtkShadowFrame& frame = *this->Frame;
-  double rounding =
-    frame.IsParallel() ? 0.5 * frame.Size[1] * glm::length(frame.GetPixelVC(1)) / 524288.0 : 0.0;
+  double rounding = frame.IsParallel() ? 0.5 * frame.Size[1] * glm::length(frame.GetPixelVC(1)) *
+                                           vtkShadowView::PositionRounding
+                                       : 0.0;
   if (bounds && bounds[0] <= bounds[1])
   {
     auto* glMapper = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);

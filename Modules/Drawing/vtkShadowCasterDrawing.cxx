@@ -24,7 +24,7 @@
 
 namespace
 {
-/** So far beyond a side of the picture, in its half sides, what is culled is surely not seen. */
+/** So far beyond a side of the picture, in its half sides, what is culled is not seen: rounding is far less. */
 constexpr double Clearance = 1e-4;
 
 /** All of a box lies beyond the same side of the picture. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The least and the greatest depth of every region of depth maps: tells which receivers are surely
-// lit or surely dark, without looking at single texels.
+// The least and the greatest depth of every region of depth maps (hierarchical min/max depth): tells
+// conservatively which receivers are fully lit or in umbra, without looking at single texels.
 //
 //   pyramid  RG32F, side = the maps' half rounded up to a power of two, all levels, a layer each map:
 //            least and greatest depth of 2^(level+1) squared texels (2.7 bytes a texel of a

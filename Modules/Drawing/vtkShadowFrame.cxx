@@ -4,6 +4,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkShadowLightsFS.h"
 #include "vtkShadowMessages.h"
+#include "vtkShadowNumber.h"
 #include "vtkShadowOpenGL.h"
 
 #include <glm/geometric.hpp>
@@ -38,6 +39,7 @@ std::string vtkShadowFrame::GetLightsGLSL(const std::string& definitions) const
 {
   return "#define SHADOW_LIGHTS " + std::to_string(std::max<std::size_t>(1, this->Parts.size())) +
          "\n#define SHADOW_VISIBILITY " + (this->Color ? "vec3" : "float") + "\n" +
+         "#define SHADOW_POSITION_ROUNDING " + vtkShadowNumber::Print(PositionRounding) + "\n" +
          (this->Hard ? "#define SHADOW_HARD\n" : "") + definitions + vtkShadowLightsFS;
 }
 

@@ -13,6 +13,11 @@
 
 struct VTKSOFTSHADOWSDRAWING_EXPORT vtkShadowView
 {
+  /**
+   * What a receiver's position can be off by as a share of its distance: it was transformed and
+   * interpolated in 24-bit floats, over triangles that may reach far out of the picture.
+   */
+  static constexpr double PositionRounding = 1.0 / 524288.0;
   /** The viewport's width and height in pixels. */
   int Size[2] = { 0, 0 };
   /**

@@ -436,17 +436,18 @@ void vtkPlanarShadowMaps::UpdateRecords(vtkShadowFrame& frame)
     return;
   }
   this->VCToSWC = frame.VCToSWC;
-  this->Records.clear();
+  auto& records = this->Records.Get();
+  records.clear();
   for (const auto& plane : this->Planes)
   {
     // Of unit normal, whatever the view's transform scales by.
     const glm::dvec4 equation = plane.GetEquation() * frame.VCToSWC;
-    this->Records.emplace_back(equation / glm::length(glm::dvec3(equation)));
+    records.emplace_back(equation / glm::length(glm::dvec3(equation)));
   }
   for (const auto& entry : this->Entries)
   {
     const vtkPlanarShadow& shadow = entry.Shadow;
-    this->Records.emplace_back(
+    records.emplace_back(
       glm::vec3(shadow.Weight), entry.InView ? static_cast<float>(entry.Layer) : -1.0f);
     if (this->Current.Technique == Kind::Hard)
     {
@@ -454,30 +455,23 @@ void vtkPlanarShadowMaps::UpdateRecords(vtkShadowFrame& frame)
     }
     const glm::dmat4 rows =
       entry.Layer < 0 ? glm::dmat4(0.0) : glm::transpose(shadow.GetWindow() * frame.VCToSWC);
-    this->Records.emplace_back(0.5 * (rows[0] + rows[3]));
-    this->Records.emplace_back(0.5 * (rows[1] + rows[3]));
+    records.emplace_back(0.5 * (rows[0] + rows[3]));
+    records.emplace_back(0.5 * (rows[1] + rows[3]));
     if (this->Current.Technique == Kind::Fake)
     {
       this->AddFakeVectors(shadow);
     }
   }
-  this->Few = this->Records.size() <= MostFewRecords;
-  if (this->Few)
-  {
-    this->RecordBuffer.Release(frame.Window);
-  }
-  else
-  {
-    this->RecordBuffer.UploadBuffer(frame.Window, this->Records);
-  }
+  this->Records.Update(frame.Window, records.size() <= MostFewRecords);
 }
 
 //------------------------------------------------------------------------------
 void vtkPlanarShadowMaps::AddFakeVectors(const vtkPlanarShadow& shadow)
 {
+  auto& records = this->Records.Get();
   if (shadow.Casters.empty())
   {
-    this->Records.resize(this->Records.size() + 4, glm::vec4(0.0f));
+    records.resize(records.size() + 4, glm::vec4(0.0f));
     return;
   }
   // A point of the light that moves by U moves the shadow of something of spread s by -s times what
@@ -502,11 +496,11 @@ void vtkPlanarShadowMaps::AddFakeVectors(const vtkPlanarShadow& shadow)
   using Shape = vtkShadowLight::Shape;
   const bool sphere = light.Kind == Shape::Sphere;
   const double form = sphere ? 2.0 : (light.Kind == Shape::Rectangle ? 0.0 : 1.0);
-  this->Records.emplace_back(axes);
-  this->Records.emplace_back(glm::dvec4(growth, shadow.Spread, form));
-  this->Records.emplace_back(
+  records.emplace_back(axes);
+  records.emplace_back(glm::dvec4(growth, shadow.Spread, form));
+  records.emplace_back(
     glm::dvec4((foot - shadow.Window.Low) / size, height, sphere ? glm::length(light.U) : 0.0));
-  this->Records.emplace_back(glm::dvec4(size, 0.0, 0.0));
+  records.emplace_back(glm::dvec4(size, 0.0, 0.0));
 }
 
 //------------------------------------------------------------------------------
@@ -529,23 +523,21 @@ std::string vtkPlanarShadowMaps::GetGLSL() const
          define("SHADOW_RECORD_VECTORS", this->GetRecordSize()) +
          define("SHADOW_KERNEL", this->Current.Kernel) + "#define SHADOW_CHANNELS " +
          (this->Color ? "rgb\n" : "rrr\n") +
-         (this->Few ? define("SHADOW_FEW_RECORDS", this->Records.size()) : "") + source;
+         (this->Records.AreFew() ? define("SHADOW_FEW_RECORDS", this->Records.GetCount()) : "") +
+         source;
 }
 
 //------------------------------------------------------------------------------
 void vtkPlanarShadowMaps::Activate(vtkShadowFrame& frame)
 {
   this->Maps.Activate(frame.Window);
-  if (!this->Few)
-  {
-    this->RecordBuffer.Activate(frame.Window);
-  }
+  this->Records.Activate(frame.Window);
 }
 
 //------------------------------------------------------------------------------
 void vtkPlanarShadowMaps::Deactivate(vtkShadowFrame& frame)
 {
-  this->RecordBuffer.Deactivate(frame.Window);
+  this->Records.Deactivate(frame.Window);
   this->Maps.Deactivate(frame.Window);
 }
 
@@ -553,15 +545,7 @@ void vtkPlanarShadowMaps::Deactivate(vtkShadowFrame& frame)
 void vtkPlanarShadowMaps::SetParameters(vtkShaderProgram* program)
 {
   program->SetUniformi("shadowPlanarMaps", this->Maps.GetUnit());
-  if (!this->Few)
-  {
-    program->SetUniformi("shadowRecords", this->RecordBuffer.GetUnit());
-  }
-  else if (!this->Records.empty())
-  {
-    program->SetUniform4fv("shadowRecords", static_cast<int>(this->Records.size()),
-      reinterpret_cast<const float(*)[4]>(this->Records.data()));
-  }
+  this->Records.SetParameter(program, "shadowRecords");
 }
 
 //------------------------------------------------------------------------------
@@ -575,7 +559,7 @@ double vtkPlanarShadowMaps::GetMaximumCost() const
 //------------------------------------------------------------------------------
 std::vector<std::pair<std::string, std::size_t>> vtkPlanarShadowMaps::GetBytes() const
 {
-  return { { "planes", this->Maps.GetBytes() + this->RecordBuffer.GetBytes() },
+  return { { "planes", this->Maps.GetBytes() + this->Records.GetBytes() },
     { "stencil", this->Stencil.GetBytes() } };
 }
 
@@ -584,7 +568,7 @@ void vtkPlanarShadowMaps::Release(vtkOpenGLRenderWindow* window)
 {
   this->Maps.Release(window);
   this->Stencil.Release(window);
-  this->RecordBuffer.Release(window);
+  this->Records.Release(window);
   this->Framebuffer.Release(window);
   this->Entries.clear();
   this->Changes.Reset();

@@ -19,6 +19,7 @@
 #include "vtkPlanarShadow.h"                   // For shadows
 #include "vtkShadowChanges.h"                  // For what is kept
 #include "vtkShadowGL.h"                       // For textures
+#include "vtkShadowVectors.h"                  // For records
 #include "vtkSoftShadowsPlanarShadowsModule.h" // For export macro
 
 #include <glm/mat4x4.hpp>
@@ -109,11 +110,9 @@ private:
   int Layers = 0;
   glm::dmat4 SWCToClip{ 0.0 }; // of the camera, for hard
   glm::dmat4 VCToSWC{ 0.0 };
-  std::vector<glm::vec4> Records;
-  bool Few = true;
+  vtkShadowVectors Records;
   vtkShadowTexture Maps;
   vtkShadowTexture Stencil;
-  vtkShadowTexture RecordBuffer;
   vtkShadowFramebuffer Framebuffer;
 };
 

@@ -12,12 +12,6 @@
 #include <chrono>
 #include <cmath>
 
-namespace
-{
-/** What a receiver's position can be wrong, relative to its magnitude: see shadowRounding. */
-constexpr double PositionError = 1.0 / 524288.0;
-}
-
 //------------------------------------------------------------------------------
 bool vtkRayTracedShadowTechnique::UpdateLightData(vtkShadowFrame& frame)
 {
@@ -57,7 +51,8 @@ void vtkRayTracedShadowTechnique::FillVisibility(vtkShadowFrame& frame, vtkVisib
       const glm::dvec3 positionVC(texels[i]);
       const glm::dvec3 position(frame.VCToSWC * glm::dvec4(positionVC, 1.0));
       const vtkShadowReceiver receiver = vtkShadowReceiver::Unpack(texels[i].w);
-      const double rounding = PositionError * (glm::length(positionVC) + glm::length(position));
+      const double rounding =
+        vtkShadowView::PositionRounding * (glm::length(positionVC) + glm::length(position));
       receivers.push_back({ position, turn * receiver.Normal, rounding,
         std::max(0.0, receiver.Rounding - rounding), static_cast<int>(i), texels[i].w > 0.0f });
     }

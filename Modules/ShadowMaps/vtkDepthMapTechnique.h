@@ -4,9 +4,8 @@
  * @brief   Base of the techniques that look up depth maps: the family's map resource, and its use.
  *
  * (VTK has a class vtkShadowMapPass of its own.) A map is drawn from the casters' own buffers,
- * through frusta that hug them (see vtkLightFrusta). It is read with a bias that has no knob: the
- * receiver is moved along its geometric normal by what its plane can rise within the texels that one
- * look-up reads.
+ * through frusta that hug them (see vtkLightFrusta). It is read with an automatic depth bias
+ * (vtkShadowMapViewsFS.glsl): what the receiver's plane can rise within the texels that one look-up reads.
  *
  * Debug view "map": the depth maps, side by side.
  */

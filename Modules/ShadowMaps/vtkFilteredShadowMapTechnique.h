@@ -8,8 +8,8 @@
  * from the light's true size in world units: neither frustum, nor scene's unit, nor map's resolution
  * changes them. A frame whose lights have no size takes the path of map-hard.
  *
- * Leaving out (parameter "skipping"): a depth pyramid tells receivers that are surely lit or surely
- * dark. They need no look-up; the picture is the same without.
+ * Leaving out (parameter "skipping"): a depth pyramid tells receivers that are fully lit or in
+ * umbra, conservatively. They need no look-up; the picture is the same without.
  *
  * Stages: 1. a map and its pyramid where light or casters changed; 2. the filter, in each
  * prop's shader, or with evaluation=screen once a pixel of the receivers. Textures: see

@@ -21,8 +21,8 @@ using Support = vtkShadowShapeSupport;
 vtkShadowParameter Skipping()
 {
   return vtkShadowParameter::Boolean("skipping", true,
-    "Leave out look-ups where the depth pyramid tells that a receiver is surely lit or dark; the "
-    "picture is the same without");
+    "Leave out look-ups where the depth pyramid tells that a receiver is fully lit or in umbra; a "
+    "conservative test: the picture is the same without");
 }
 
 vtkShadowParameter Width()

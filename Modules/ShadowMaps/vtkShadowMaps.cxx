@@ -69,9 +69,7 @@ std::vector<vtkShadowMaps::View> vtkShadowMaps::MakeViews(
   {
     return views;
   }
-  // A sphere's samples lie on the disk that faces the casters' middle.
-  const auto places = part.Light.GetPlaces(
-    this->Current.Samples, frame.Casters->GetMiddle(casters) + frame.Casters->GetOrigin());
+  const auto places = frame.Casters->GetPlaces(part.Light, this->Current.Samples, casters);
   for (const auto& place : places)
   {
     for (const auto& frustum : frusta.GetViews(place.Point))
@@ -135,7 +133,8 @@ bool vtkShadowMaps::Update(vtkShadowFrame& frame, const vtkShadowMapSettings& se
     // Nothing can be shadowed by these lights.
     this->Batches = 1;
     this->BatchFirst = this->BatchCount = 0;
-    this->Few = true;
+    this->ViewVectors.Get().clear();
+    this->ViewVectors.Update(frame.Window, true);
     return this->Maps.Allocate(frame.Window, vtkShadowTexture::Format::Depth, 1, 1, 1) &&
            (!settings.Neighbours || this->Pyramid.Allocate(frame.Window, this->Maps));
   }
@@ -162,11 +161,6 @@ bool vtkShadowMaps::Update(vtkShadowFrame& frame, const vtkShadowMapSettings& se
     this->Maps.SetSampling(frame.Window, settings.Bilinear
                                            ? vtkShadowTexture::Sampling::CompareLinear
                                            : vtkShadowTexture::Sampling::CompareNearest);
-  }
-  this->Few = total <= MostFewViews;
-  if (this->Few)
-  {
-    this->ViewBuffer.Release(frame.Window);
   }
   this->UpdateViewVectors(
     frame, all || fresh || std::find(changed.begin(), changed.end(), true) != changed.end());
@@ -375,37 +369,36 @@ void vtkShadowMaps::UpdateViewVectors(vtkShadowFrame& frame, bool changed)
   const glm::dmat4 toUnit =
     glm::scale(glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)), glm::dvec3(0.5));
   const glm::dmat4 SWCToVC = frame.GetSWCToVC();
-  this->ViewVectors.clear();
-  this->ViewVectors.reserve((VectorsOfView + VectorsOfKernel) * this->Views.size());
+  auto& vectors = this->ViewVectors.Get();
+  vectors.clear();
+  vectors.reserve((VectorsOfView + VectorsOfKernel) * this->Views.size());
   for (const auto& view : this->Views)
   {
     glm::dmat4 rows = glm::transpose(toUnit * view.Frustum.SWCToClip * frame.VCToSWC);
     rows[2] -= DepthRounding * rows[3];
     for (int r = 0; r < 4; ++r)
     {
-      this->ViewVectors.emplace_back(rows[r]);
+      vectors.emplace_back(rows[r]);
     }
     const bool directional = frame.Parts[view.Light].Light.IsDirectional();
     const glm::dvec4 place = SWCToVC * glm::dvec4(view.Frustum.Place, directional ? 0.0 : 1.0);
     const glm::dmat3 turn(SWCToVC);
     const double texel = view.Frustum.DepthScale / this->Current.Resolution;
-    this->ViewVectors.emplace_back(glm::dvec4(turn * view.Frustum.WindowX * texel, place.x));
-    this->ViewVectors.emplace_back(glm::dvec4(turn * view.Frustum.WindowY * texel, place.y));
-    this->ViewVectors.emplace_back(glm::dvec4(view.Weight, place.z));
+    vectors.emplace_back(glm::dvec4(turn * view.Frustum.WindowX * texel, place.x));
+    vectors.emplace_back(glm::dvec4(turn * view.Frustum.WindowY * texel, place.y));
+    vectors.emplace_back(glm::dvec4(view.Weight, place.z));
     if (this->Current.Neighbours)
     {
       this->AddKernelVectors(frame.Parts[view.Light], view);
     }
   }
-  if (!this->Few)
-  {
-    this->ViewBuffer.UploadBuffer(frame.Window, this->ViewVectors);
-  }
+  this->ViewVectors.Update(frame.Window, this->GetNumberOfViews() <= MostFewViews);
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowMaps::AddKernelVectors(const vtkShadowLightPart& part, const View& view)
 {
+  auto& vectors = this->ViewVectors.Get();
   const vtkShadowLight& light = part.Light;
   const vtkLightView& frustum = view.Frustum;
   const glm::dvec2 window(glm::length(frustum.WindowX), glm::length(frustum.WindowY));
@@ -417,26 +410,24 @@ void vtkShadowMaps::AddKernelVectors(const vtkShadowLightPart& part, const View&
   const glm::dvec3 u = sphere ? radius * x : light.U;
   const glm::dvec3 v = sphere ? radius * y : light.V;
   const glm::dvec2 scale = 1.0 / (window * frustum.DepthScale);
-  this->ViewVectors.emplace_back(
-    glm::dvec4(glm::dot(u, x), glm::dot(u, y), glm::dot(v, x), glm::dot(v, y)) *
-    glm::dvec4(scale, scale));
-  this->ViewVectors.emplace_back(glm::dvec4(frustum.DepthScale, window, 0.0));
-  this->ViewVectors.emplace_back(glm::dvec4(frustum.Face ? 1 : 0, sphere ? 1 : 0,
+  vectors.emplace_back(glm::dvec4(glm::dot(u, x), glm::dot(u, y), glm::dot(v, x), glm::dot(v, y)) *
+                       glm::dvec4(scale, scale));
+  vectors.emplace_back(glm::dvec4(frustum.DepthScale, window, 0.0));
+  vectors.emplace_back(glm::dvec4(frustum.Face ? 1 : 0, sphere ? 1 : 0,
     this->GetSeparation(view.Light), this->Current.Resolution / frustum.DepthScale));
   const glm::dvec3 z = glm::cross(x, y); // along the axis: windows are right-handed with it
-  this->ViewVectors.emplace_back(
-    glm::dvec4(glm::dot(u, z), glm::dot(v, z), sphere ? radius : 0.0, 0.0));
+  vectors.emplace_back(glm::dvec4(glm::dot(u, z), glm::dot(v, z), sphere ? radius : 0.0, 0.0));
   // Look-ups end two texels before a border that is cut, and never at another.
   const double border = 2.0 / this->Current.Resolution;
   const auto& cut = frustum.Cut;
-  this->ViewVectors.emplace_back(glm::dvec4(cut[0] ? border : -1e6, cut[1] ? border : -1e6,
+  vectors.emplace_back(glm::dvec4(cut[0] ? border : -1e6, cut[1] ? border : -1e6,
     cut[2] ? 1.0 - border : 1e6, cut[3] ? 1.0 - border : 1e6));
 }
 
 //------------------------------------------------------------------------------
 bool vtkShadowMaps::HasViewOfEach() const
 {
-  return this->Current.Samples == 1 && this->Few &&
+  return this->Current.Samples == 1 && this->ViewVectors.AreFew() &&
          std::all_of(this->Parts.begin(), this->Parts.end(),
            [](const PartState& part) { return part.Count > 0; });
 }
@@ -467,7 +458,7 @@ std::string vtkShadowMaps::GetGLSL() const
                        ".0\n" + (this->Current.Bilinear ? "#define SHADOW_BILINEAR\n" : "") +
                        (clipped ? "#define SHADOW_CLIPPED_VIEWS\n" : "") +
                        (cut ? "#define SHADOW_CUT_VIEWS\n" : "");
-  if (this->Few)
+  if (this->ViewVectors.AreFew())
   {
     // Choices, which fold where the light is a constant: an array of constants may become memory, and
     // then nothing that depends on it unrolls.
@@ -494,10 +485,7 @@ std::string vtkShadowMaps::GetGLSL() const
 void vtkShadowMaps::Activate(vtkShadowFrame& frame)
 {
   this->Maps.Activate(frame.Window);
-  if (!this->Few)
-  {
-    this->ViewBuffer.Activate(frame.Window);
-  }
+  this->ViewVectors.Activate(frame.Window);
   if (this->Current.Neighbours)
   {
     this->Depths.Activate(frame.Window, this->Maps, vtkShadowTexture::Sampling::Nearest);
@@ -510,7 +498,7 @@ void vtkShadowMaps::Deactivate(vtkShadowFrame& frame)
 {
   this->Pyramid.Deactivate(frame.Window);
   this->Depths.Deactivate(frame.Window);
-  this->ViewBuffer.Deactivate(frame.Window);
+  this->ViewVectors.Deactivate(frame.Window);
   this->Maps.Deactivate(frame.Window);
 }
 
@@ -523,13 +511,9 @@ void vtkShadowMaps::SetParameters(vtkShaderProgram* program)
     program->SetUniformi("shadowDepths", this->Depths.GetUnit());
     this->Pyramid.SetParameters(program);
   }
-  if (this->Few)
+  this->ViewVectors.SetParameter(program, "shadowViews");
+  if (this->ViewVectors.AreFew())
   {
-    if (!this->ViewVectors.empty())
-    {
-      program->SetUniform4fv("shadowViews", static_cast<int>(this->ViewVectors.size()),
-        reinterpret_cast<const float(*)[4]>(this->ViewVectors.data()));
-    }
     return;
   }
   std::array<int, vtkShadowFrame::MostParts> first{};
@@ -545,13 +529,12 @@ void vtkShadowMaps::SetParameters(vtkShaderProgram* program)
   program->SetUniform1iv("shadowFirstView", lights, first.data());
   program->SetUniform1iv("shadowViewCount", lights, count.data());
   program->SetUniformi("shadowFirstLayer", this->BatchFirst);
-  program->SetUniformi("shadowViews", this->ViewBuffer.GetUnit());
 }
 
 //------------------------------------------------------------------------------
 std::vector<std::pair<std::string, std::size_t>> vtkShadowMaps::GetBytes() const
 {
-  const std::size_t maps = this->Maps.GetBytes() + this->ViewBuffer.GetBytes();
+  const std::size_t maps = this->Maps.GetBytes() + this->ViewVectors.GetBytes();
   std::vector<std::pair<std::string, std::size_t>> bytes = { { "maps", maps } };
   if (this->Current.Neighbours)
   {
@@ -569,7 +552,7 @@ std::vector<std::pair<std::string, std::size_t>> vtkShadowMaps::GetBytes() const
 void vtkShadowMaps::Release(vtkOpenGLRenderWindow* window)
 {
   this->Maps.Release(window);
-  this->ViewBuffer.Release(window);
+  this->ViewVectors.Release(window);
   this->Depths.Release(window);
   this->Pyramid.Release(window);
   for (int layer = 0; layer < 2; ++layer)

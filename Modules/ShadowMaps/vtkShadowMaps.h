@@ -16,9 +16,10 @@
 
 #include "vtkLightFrusta.h"                 // For vtkLightView
 #include "vtkShadowChanges.h"               // For what is kept
-#include "vtkShadowDepthPyramid.h"          // For what is surely lit or dark
+#include "vtkShadowDepthPyramid.h"          // For what is fully lit or in umbra
 #include "vtkShadowGL.h"                    // For textures
 #include "vtkShadowLight.h"                 // For vtkShadowLight
+#include "vtkShadowVectors.h"               // For the views in shaders
 #include "vtkSoftShadowsShadowMapsModule.h" // For export macro
 
 #include <cstddef>
@@ -115,12 +116,10 @@ private:
   int BatchSize = 0;
   int BatchFirst = 0; // the view in layer 0
   int BatchCount = 0;
-  bool Few = false;                   // views are uniforms
-  std::vector<glm::vec4> ViewVectors; // of vtkShadowMapViewsFS.glsl, for the camera of this frame
-  glm::dmat4 VCToSWC{ 0.0 };          // that camera
+  vtkShadowVectors ViewVectors; // of vtkShadowMapViewsFS.glsl, for the camera of this frame
+  glm::dmat4 VCToSWC{ 0.0 };    // that camera
   vtkShadowTexture Maps;
-  vtkShadowTexture ViewBuffer; // where the views are no uniforms
-  vtkShadowSampler Depths;     // the maps without compare
+  vtkShadowSampler Depths; // the maps without compare
   vtkShadowDepthPyramid Pyramid;
   vtkShadowTexture Layers[2];
   vtkShadowTexture Sides[2];

@@ -76,8 +76,7 @@ void vtkShadowSilhouetteCache::UpdatePart(
   state.Places.clear();
   if (!state.Casters.empty())
   {
-    state.Samples = light.GetPlaces(light.IsPoint() ? 1 : this->Samples,
-      frame.Casters->GetMiddle(state.Casters) + frame.Casters->GetOrigin());
+    state.Samples = frame.Casters->GetPlaces(light, this->Samples, state.Casters);
   }
   for (const auto& sample : state.Samples)
   {

@@ -28,7 +28,7 @@ namespace
  * does to positions, see shadowRounding in vtkShadowLightsFS.glsl. Of a depth that is an even share of
  * the clipping range, in a parallel view, it is a step of its 24 bits.
  */
-constexpr float BackShare = 2.0f / 524288.0f;
+constexpr float BackShare = static_cast<float>(2.0 * vtkShadowView::PositionRounding);
 constexpr float BackStep = 1.0f / 16777216.0f;
 
 /** Faces are drawn from both sides, nothing but the count is written. */

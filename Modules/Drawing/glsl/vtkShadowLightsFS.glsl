@@ -4,8 +4,9 @@
 // (see vtkShadowLightPart).
 //
 // SHADOW_LIGHTS is their number. SHADOW_VISIBILITY is float, or vec3 where a light is textured.
-// SHADOW_HARD is defined where a light counts as its centre. A technique's GLSL may define
-// SHADOW_TELLS_AWAY: then it finds no light itself where shadowFacesAway is true, and is not asked before.
+// SHADOW_POSITION_ROUNDING is vtkShadowView::PositionRounding. SHADOW_HARD is defined where a light counts
+// as its centre. A technique's GLSL may define SHADOW_TELLS_AWAY: then it finds no light itself where
+// shadowFacesAway is true, and is not asked before.
 
 // The pixel of the screen-space buffers. Their evaluation draws into the like of them; a prop may be
 // drawn beside a window's origin, or by a delegate into a larger picture of the same view.
@@ -34,7 +35,7 @@ float shadowPropRounding = 0.0;
 // over triangles that may reach far out of the picture. The depth stands for the distance.
 float shadowRounding(vec3 positionVC)
 {
-  return max(abs(positionVC.z) * (1.0 / 524288.0), shadowPropRounding);
+  return max(abs(positionVC.z) * SHADOW_POSITION_ROUNDING, shadowPropRounding);
 }
 
 // The whole light lies behind the receiver's own surface.

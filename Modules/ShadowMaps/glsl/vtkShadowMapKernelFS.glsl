@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the filters of one map a light share: the light as a receiver sees it over the map, look-ups
-// there, and what is surely lit or dark.
+// there, and a conservative test of what is fully lit or in umbra.
 //
 // A map's depth is linear in the reciprocal distance, so that straight lines are straight in LC. The
 // point (s, t) of the light, in its half axes, is hidden by a blocker whose depth is less than the

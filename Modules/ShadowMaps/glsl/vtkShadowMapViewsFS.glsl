@@ -47,7 +47,7 @@ vec3 shadowProjectReceiver(int view, vec3 positionVC, vec3 normalVC, out float h
     dot(SHADOW_VIEW(view, 0), receiverVC), dot(SHADOW_VIEW(view, 1), receiverVC), depth) / w;
 }
 
-// Bias without a knob: a plane's own samples in the texels that a look-up reads are nearer to the light
+// Automatic depth bias: a plane's own samples in the texels that a look-up reads are nearer to the light
 // than the receiver by what the plane rises up to them, and by so much less is the depth to compare
 // with. How far up that is along x and y, in texels: to the next of the four nearest for a bilinear
 // look-up, to the middle of the one texel else. Rise is the plane's depth a texel; only its sign counts.
