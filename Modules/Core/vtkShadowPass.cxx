@@ -198,7 +198,7 @@ void vtkShadowPass::RenderShadowed(const vtkRenderState* s)
     }
     my.Technique->Deactivate(frame);
   }
-  stages.ReleaseUnused();
+  stages.Finish();
   vtkOpenGLCheckErrorMacro("failed after vtkShadowPass::Render");
 }
 

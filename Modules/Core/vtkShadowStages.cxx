@@ -279,8 +279,10 @@ void vtkShadowStages::ReleaseOfTechnique()
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowStages::ReleaseUnused()
+void vtkShadowStages::Finish()
 {
+  this->Frame.Counts["trianglesDrawn"] = static_cast<double>(this->Drawing.GetDrawnTriangles());
+  this->Frame.Counts["trianglesCulled"] = static_cast<double>(this->Drawing.GetCulledTriangles());
   if (this->NewTechnique && !this->Drawing.IsUsed())
   {
     this->Drawing.Release(this->Frame.Window);

@@ -64,11 +64,11 @@ public:
   void Release(vtkOpenGLRenderWindow* window);
   ///@{
   /**
-   * Where the technique is another one: before its first frame, forget what served the old one alone; after
-   * it, free the casters' buffers if it does not draw them.
+   * Where the technique is another one: before its first frame, forget what served the old one alone. Finish
+   * counts what was drawn in a frame, and after such a one frees the casters' buffers if nothing was.
    */
   void ReleaseOfTechnique();
-  void ReleaseUnused();
+  void Finish();
   ///@}
 
   vtkShadowScreen Opaque;

@@ -6,6 +6,7 @@
 #include "ShadowTest.h"
 
 #include "vtkCellArray.h"
+#include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkShadowTechniques.h"
@@ -210,4 +211,63 @@ SHADOW_TEST(Frusta, SkyAround, Each)
   ShadowTest::CheckAtMost(CountOff(show(120.0), without, 0.5f), 250.0, "pixels off with a dome");
   ShadowTest::CheckAtMost(
     *std::min_element(without.V.begin(), without.V.end()), 0.0, "there is a shadow");
+}
+
+//------------------------------------------------------------------------------
+// A lamp amid a large mesh: each face of its cube shows a part, and leaves chunks of the mesh out. Cut into
+// small meshes, which are no chunks, it casts the same.
+SHADOW_TEST(Frusta, ChunksThatAreSeenAreDrawn, Once)
+{
+  const std::string hard = "map-hard";
+  if (!vtkShadowTechniqueRegistration::Find(hard))
+  {
+    return;
+  }
+  constexpr int side = 192; // quads; 73,728 triangles
+  const auto makePart = [](int firstX, int firstY, int count)
+  {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> quads;
+    for (int y = 0; y <= count; ++y)
+    {
+      for (int x = 0; x <= count; ++x)
+      {
+        const double u = 8.0 * (firstX + x) / side - 4.0;
+        const double v = 8.0 * (firstY + y) / side - 4.0;
+        points->InsertNextPoint(u, v, 0.5 * std::sin(2.0 * u) * std::cos(2.5 * v));
+        if (x < count && y < count)
+        {
+          const vtkIdType corner = static_cast<vtkIdType>(y) * (count + 1) + x;
+          quads->InsertNextCell({ corner, corner + 1, corner + count + 2, corner + count + 1 });
+        }
+      }
+    }
+    vtkNew<vtkPolyData> part;
+    part->SetPoints(points);
+    part->SetPolys(quads);
+    return vtkSmartPointer<vtkPolyData>(part);
+  };
+  Visibility visibility[2];
+  for (const int parts : { 1, 4 })
+  {
+    ShadowStage stage;
+    for (int i = 0; i < parts * parts; ++i)
+    {
+      const int count = side / parts;
+      stage.Add(makePart(i % parts * count, i / parts * count, count));
+    }
+    stage.AddLight(LightKind::Point, { 0.3, 0.2, 0.45 }, { 0.0, 0.0, 0.0 });
+    stage.LookAt({ 5.0, -6.0, 7.0 }, { 0.0, 0.0, 0.0 });
+    stage.SetPass(hard, { { "resolution", "1024" } });
+    stage.Render();
+    visibility[parts == 1 ? 0 : 1] = stage.GetVisibility();
+    ShadowTest::CheckAtLeast(stage.Count("trianglesDrawn"), 2.0 * side * side, "triangles drawn");
+    if (parts == 1)
+    {
+      ShadowTest::CheckAtLeast(stage.Count("trianglesCulled"), 16384.0, "triangles culled");
+    }
+  }
+  // Frusta hug what casts, so that texels lie elsewhere: shadows' edges differ.
+  ShadowTest::CheckAtMost(
+    Compare(visibility[0], visibility[1], 0.5).Share, 0.01, "pixels that differ");
 }
