@@ -8,18 +8,29 @@ endif ()
 option(BUILD_SHARED_LIBS "Build shared libraries (Python needs them)" ON)
 option(SOFTSHADOWS_WRAP_PYTHON "Wrap for Python (package vtksoftshadows)" ON)
 option(SOFTSHADOWS_BUILD_APPS "Build the command softshadows" ON)
-option(SOFTSHADOWS_SHADOW_MAPS "Shadow maps and their filters: map-*" ON)
-option(SOFTSHADOWS_PLANAR_SHADOWS "Shadows projected onto planes: planar-*" ON)
-option(SOFTSHADOWS_SHADOW_VOLUMES "Stencil shadow volumes (OpenMesh): volume-*" ON)
-option(SOFTSHADOWS_RAY_TRACING "Ray-traced reference (Embree): ray-traced" ON)
+
+# The families of techniques: option, module, what it is.
+set(softshadows_families
+  "SHADOW_MAPS:ShadowMaps:Shadow maps and their filters, map-*"
+  "PLANAR_SHADOWS:PlanarShadows:Shadows projected onto planes, planar-*"
+  "SHADOW_VOLUMES:ShadowVolumes:Stencil shadow volumes (OpenMesh), volume-*"
+  "RAY_TRACING:RayTracing:Ray-traced reference (Embree), ray-traced")
+set(softshadows_family_modules)
+set(softshadows_switches "IMAGE_METRICS:ImageMetrics" "SCENES:Scenes")
+foreach (family IN LISTS softshadows_families)
+  string(REPLACE ":" ";" family "${family}")
+  list(POP_FRONT family option module about)
+  option("SOFTSHADOWS_${option}" "${about}" ON)
+  list(APPEND softshadows_family_modules "SoftShadows::${module}")
+  list(APPEND softshadows_switches "${option}:${module}")
+endforeach ()
+
 option(SOFTSHADOWS_IMAGE_METRICS "Reading, writing and comparing pictures (OpenImageIO)" ON)
 option(SOFTSHADOWS_SCENES "Built-in scenes" ON)
 option(SOFTSHADOWS_WERROR "Warnings of our own sources are errors" OFF)
 include(CTest)
 
-foreach (pair IN ITEMS
-    "SHADOW_MAPS:ShadowMaps" "PLANAR_SHADOWS:PlanarShadows" "SHADOW_VOLUMES:ShadowVolumes"
-    "RAY_TRACING:RayTracing" "IMAGE_METRICS:ImageMetrics" "SCENES:Scenes")
+foreach (pair IN LISTS softshadows_switches)
   string(REPLACE ":" ";" pair "${pair}")
   list(GET pair 0 option)
   list(GET pair 1 module)

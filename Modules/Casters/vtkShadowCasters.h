@@ -3,8 +3,8 @@
 //
 // On the CPU each mesh keeps float positions relative to its own centre and triangle indices; each
 // caster is a mesh and a matrix, composed in double precision, to SWC: world axes with the origin at
-// GetOrigin(), so that scenes far from the world's origin lose nothing. Meshes are shared with the
-// ray tracer (one BVH each) and, from the families that need it, the adjacency.
+// GetOrigin(), so that scenes far from the world's origin lose nothing. Meshes are
+// shared: the ray tracer keeps a BVH, and shadow volumes an adjacency, for each of them.
 //
 // Translucent casters that count by their opacity: a caster of opacity a hides a share a of each light's
 // rays, always the same ones, so that of several in a row the most opaque counts. The light is then

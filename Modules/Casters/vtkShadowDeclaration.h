@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The declaration of a technique: what the pass, the command, the viewer, the benchmark, Python and the
-// documentation know of it. A family module fills one of these for each name and registers it with
-// vtkShadowTechniqueRegistration; nothing else in the project repeats what stands here.
+// The declaration of a technique: what the pass, the command, the benchmark, Python and the documentation
+// know of it. A family fills one for each name and registers it with vtkShadowTechniqueRegistration.
+// Elsewhere names alone are listed: see Documentation/adding-a-technique.md.
 
 #ifndef vtkShadowDeclaration_h
 #define vtkShadowDeclaration_h
@@ -63,7 +63,7 @@ struct VTKSOFTSHADOWSCASTERS_EXPORT vtkShadowDeclaration
   /** Makes the technique with settings that outlive it. */
   std::function<std::unique_ptr<vtkShadowTechnique>(const vtkShadowSettings&)> Make;
   vtkShadowTraits Traits;
-  /** Point, sphere, disk, rectangle, directional, textured rectangle: in this order. */
+  /** Point, sphere, disk, rectangle, directional, textured rectangle: in this order. By default exact. */
   std::array<vtkShadowShapeSupport, 6> LightShapes{};
   std::vector<vtkShadowParameter> Parameters;
   /** Beside those that all have: none, visibility, penumbra, cost. */

@@ -20,8 +20,8 @@ class vtkPolyData;
 
 struct VTKSOFTSHADOWSCASTERS_EXPORT vtkShadowMesh
 {
-  glm::dvec3 Centre{ 0.0 };           // model coordinates; positions are relative to it
-  std::vector<float> Positions;       // x, y, z, and one float of padding, for Embree
+  glm::dvec3 Centre{ 0.0 };     // model coordinates; positions are relative to it
+  std::vector<float> Positions; // x, y, z each; after the last one float of padding, for Embree
   std::vector<std::uint32_t> Indices; // three a triangle
   glm::dvec3 Minimum{ 0.0 };          // bounds, relative to Centre
   glm::dvec3 Maximum{ 0.0 };

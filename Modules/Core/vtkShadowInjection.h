@@ -28,7 +28,7 @@ struct Code
   bool Receivers = false;                     // the shader can write receivers
   bool Shading = false;                       // the shader can multiply lights
   bool Unrolled = false;                      // each light's code is there for itself
-  bool Rigid = true;                          // VTK's view coordinates are VC: see vtkShadowFrame
+  bool Rigid = true;                          // VTK's view coordinates are VC: see vtkShadowView
   bool Smooth = false; // receivers rise to the surface that their normals stand for
 
   /** All parts of all casting lights. */

@@ -4,9 +4,9 @@
  * @brief   What VTK draws, with each light's colour times its visibility.
  *
  * @code{.cpp}
- * vtkShadowPass* shadows = vtkShadowPass::New();
- * shadows->SetTechnique("map-soft"); // "map-pcss" without
- * renderer->SetPass(shadows);
+ * auto shadows = vtkSmartPointer<vtkShadowPass>::New(); // technique "map-pcss"
+ * shadows->SetTechnique("map-soft");                    // or another
+ * shadows->PutOn(renderer);
  * @endcode
  *
  * How visibility is found is its technique's, an object that it owns and can change at any time

@@ -100,7 +100,7 @@ protected:
    * data that is bound now.
    */
   void DrawEvaluation(
-    vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int light, double share = 0.0);
+    vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part, double share = 0.0);
 
   const vtkShadowSettings& Settings;
 };

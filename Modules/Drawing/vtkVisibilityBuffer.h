@@ -56,7 +56,7 @@ public:
   ///@}
 
   /** GetComponents() floats a pixel, or 1 of a quantity; row by row from the bottom. */
-  std::vector<float> ReadTarget(vtkOpenGLRenderWindow* window, int light);
+  std::vector<float> ReadTarget(vtkOpenGLRenderWindow* window, int part);
 
   std::size_t GetBytes() const { return this->Visibility.GetBytes() + this->Quantities.GetBytes(); }
   void Release(vtkOpenGLRenderWindow* window);

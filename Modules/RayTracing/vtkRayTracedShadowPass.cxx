@@ -32,8 +32,10 @@ vtkShadowDeclaration RayTraced()
   t.Resources = { "on the CPU: Embree's structures, about 100 bytes a triangle",
     "on the GPU: receivers 16 bytes, depth 4 bytes, visibility 4 bytes a light (16 textured), "
     "each a pixel" };
-  t.Limits = { "Noise of the order of 1 / samples^0.75 in penumbrae.",
-    "Translucent surfaces receive no shadow." };
+  t.Limits = {
+    "Noise of the order of 1 / samples^0.75 in penumbrae.",
+    "Of translucent surfaces the nearest of a pixel receives; those behind it are drawn as if lit."
+  };
   return t;
 }
 

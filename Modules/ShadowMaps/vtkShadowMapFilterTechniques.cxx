@@ -125,7 +125,9 @@ vtkShadowDeclaration Blurred()
   t.Limits.insert(t.Limits.end(),
     { Constant,
       "What is not in the picture is not blurred into it: penumbrae change at its border.",
-      "Translucent surfaces receive only from lights without size: the blur is in screen space." });
+      "Of translucent surfaces the nearest of a pixel receives from lights with a size: the blur "
+      "is "
+      "in screen space." });
   return t;
 }
 

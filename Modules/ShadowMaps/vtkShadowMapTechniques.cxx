@@ -64,7 +64,7 @@ vtkShadowDeclaration Accumulated()
     "receivers 16 bytes, depth 4 bytes, visibility 4 bytes a light (16 textured), each a pixel" };
   t.Limits = { "A sphere is its disk that faces the middle of the casters, not each receiver.",
     "Few samples show as steps: as many grey levels as samples.",
-    "Translucent surfaces receive only with evaluation=forward." };
+    "Of translucent surfaces the nearest of a pixel receives; with evaluation=forward all do." };
   return t;
 }
 

@@ -45,17 +45,17 @@ public:
   unsigned long GetVersion() const { return this->Version; }
 
   ///@{ Of a part of a light: the samples, and where they are in SWC (directions towards it: w 0).
-  const std::vector<vtkLightSample>& GetSamples(int light) const
+  const std::vector<vtkLightSample>& GetSamples(int part) const
   {
-    return this->Parts[light].Samples;
+    return this->Parts[part].Samples;
   }
-  const glm::dvec4& GetPlace(int light, int sample) const
+  const glm::dvec4& GetPlace(int part, int sample) const
   {
-    return this->Parts[light].Places[sample];
+    return this->Parts[part].Places[sample];
   }
   ///@}
   /** What a sample's silhouette lies in; valid until the next call. */
-  const Batch& GetBatch(vtkShadowFrame& frame, int light, int sample);
+  const Batch& GetBatch(vtkShadowFrame& frame, int part, int sample);
   /** The silhouette of a sample, of its batch. */
   static const vtkShadowSilhouette& Get(const Batch& batch, int sample)
   {
@@ -76,7 +76,7 @@ private:
     std::vector<std::unique_ptr<Batch>> Batches; // those that are kept
   };
 
-  void UpdatePart(vtkShadowFrame& frame, int light, std::vector<int> casters, std::size_t& bytes);
+  void UpdatePart(vtkShadowFrame& frame, int part, std::vector<int> casters, std::size_t& bytes);
   void Find(vtkShadowFrame& frame, const PartState& state, int batch, Batch& result);
   static std::size_t ReleaseBatches(PartState& state);
 

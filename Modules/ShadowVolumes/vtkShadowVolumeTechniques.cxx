@@ -40,7 +40,7 @@ vtkShadowDeclaration Common()
     "mesh lie behind each other.",
     "Single pixels at silhouettes that light and eye share can be darker or lighter than the "
     "truth.",
-    "Translucent surfaces receive no shadow.",
+    "Of translucent surfaces the nearest of a pixel receives; those behind it are drawn as if lit.",
     "Holes by alpha (alpha-threshold) within triangles cast as if they were filled; triangles "
     "that are clear all over cast nothing." };
   return t;

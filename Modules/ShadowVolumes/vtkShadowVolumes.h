@@ -59,9 +59,9 @@ public:
   void Update(vtkShadowFrame& frame, const vtkShadowVolumeSettings& settings);
 
   /** The places on a light. */
-  const std::vector<vtkLightSample>& GetSamples(int light) const
+  const std::vector<vtkLightSample>& GetSamples(int part) const
   {
-    return this->Silhouettes.GetSamples(light);
+    return this->Silhouettes.GetSamples(part);
   }
 
   /** Make the depth that volumes are counted over; before Subtract. False when out of memory. */
@@ -71,11 +71,11 @@ public:
    * where the count is not zero, in a layer of the buffer's target. False where wide counts were
    * wanted and there was no memory for them: multiples of 256 are then light.
    */
-  bool Subtract(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int light, int sample);
+  bool Subtract(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part, int sample);
   /** Add one where a face of a volume is drawn, in a layer of the buffer's target. */
-  void AddFaces(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int light, int sample);
+  void AddFaces(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part, int sample);
   /** Draw a place's volumes over the picture: front faces blue, back faces orange, silhouettes. */
-  void DrawView(vtkShadowFrame& frame, int light, int sample);
+  void DrawView(vtkShadowFrame& frame, int part, int sample);
 
   /** Bytes on the GPU, by name. */
   std::vector<std::pair<std::string, std::size_t>> GetBytes() const;
@@ -94,7 +94,7 @@ private:
   };
 
   void SetView(const vtkShadowFrame& frame);
-  Selection Select(vtkShadowFrame& frame, int light, int sample);
+  Selection Select(vtkShadowFrame& frame, int part, int sample);
   /** All of a caster's volume lies outside of the view. */
   bool IsOutOfView(const vtkShadowCaster& caster, const glm::dvec4& place) const;
   /** Planes around what can shadow the near rectangle: the pyramid over it with the light on top. */
@@ -102,7 +102,7 @@ private:
   /** The eye may see the inside of a body: through its surface, or where the near plane cuts it. */
   bool IsLookedInto(const vtkShadowCaster& caster) const;
   void UpdateCaps(
-    vtkShadowFrame& frame, int light, int sample, const std::vector<CappedCaster>& casters);
+    vtkShadowFrame& frame, int part, int sample, const std::vector<CappedCaster>& casters);
 
   void SetExtrusion(vtkShaderProgram* program, const vtkShadowCaster& caster,
     const glm::dvec4& place, const glm::dmat4& matrix) const;

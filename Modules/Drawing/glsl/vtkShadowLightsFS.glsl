@@ -28,7 +28,7 @@ bool shadowSelf = true;
 float shadowCost = 0.0;
 
 // What the positions of the receiver's prop are off by what VTK computes them with: see
-// vtkShadowPass::Internals::GetRounding.
+// vtkShadowInjector::GetRounding.
 float shadowPropRounding = 0.0;
 
 // How far the receiver's position may be off: it was transformed and interpolated in 24-bit floats,
