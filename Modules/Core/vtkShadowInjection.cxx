@@ -3,8 +3,6 @@
 
 #include "vtkShaderProgram.h"
 #include "vtkShadowCatchFS.h"
-#include "vtkShadowLightsFS.h"
-#include "vtkShadowReceiversFS.h"
 #include "vtkShadowShaderText.h"
 #include "vtkShadowTerminatorFS.h"
 #include "vtkShadowTerminatorVS.h"

@@ -15,6 +15,7 @@
 #include "vtkShadowTags.h"
 
 #include <algorithm>
+#include <exception>
 #include <sstream>
 
 namespace
@@ -45,6 +46,23 @@ public:
 private:
   vtkRenderer* Renderer;
   vtkTypeBool Used;
+};
+
+/** Set while it lives, however its scope ends. */
+class Flag
+{
+public:
+  explicit Flag(bool& flag)
+    : Value(flag)
+  {
+    this->Value = true;
+  }
+  ~Flag() { this->Value = false; }
+  Flag(const Flag&) = delete;
+  void operator=(const Flag&) = delete;
+
+private:
+  bool& Value;
 };
 
 /** Whether a shadow pass is drawing a prop. */
@@ -80,33 +98,35 @@ void vtkShadowPass::Render(const vtkRenderState* s)
     my.Messages.Error("the pass is its own delegate, or within it: it draws nothing there.");
     return;
   }
-  my.At.Rendering = true; // what is drawn may take the pass off the renderer
-  this->NumberOfRenderedProps = 0;
-  if (renderer->GetSelector())
   {
-    // Selection needs no shadows, but has not taken the pass off either.
-    my.At.Drawn = my.At.Drawn || my.At.Renderer == renderer;
-    this->RenderDelegate(s);
+    const Flag rendering(my.At.Rendering); // what is drawn may take the pass off the renderer
+    this->NumberOfRenderedProps = 0;
+    if (renderer->GetSelector())
+    {
+      // Selection needs no shadows, but has not taken the pass off either.
+      my.At.Drawn = my.At.Drawn || my.At.Renderer == renderer;
+      this->RenderDelegate(s);
+    }
+    else if (!vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
+    {
+      this->IsSupported(renderer->GetRenderWindow());
+      my.Messages.Warn("drawn without shadows: " + this->GetUnsupportedReason() + ".");
+      this->RenderDelegate(s);
+    }
+    else if (std::any_of(
+               s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount(), IsBeingDrawn))
+    {
+      my.Messages.Warn("drawn without shadows: this pass is within another shadow pass, and one at "
+                       "a time draws the "
+                       "shadows of a renderer. PutOn puts one in the other's place.");
+      this->Detach();
+      this->RenderDelegate(s);
+    }
+    else
+    {
+      this->RenderShadowed(s);
+    }
   }
-  else if (!vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
-  {
-    this->IsSupported(renderer->GetRenderWindow());
-    my.Messages.Warn("drawn without shadows: " + this->GetUnsupportedReason() + ".");
-    this->RenderDelegate(s);
-  }
-  else if (std::any_of(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount(), IsBeingDrawn))
-  {
-    my.Messages.Warn(
-      "drawn without shadows: this pass is within another shadow pass, and one at a time draws the "
-      "shadows of a renderer. PutOn puts one in the other's place.");
-    this->Detach();
-    this->RenderDelegate(s);
-  }
-  else
-  {
-    this->RenderShadowed(s);
-  }
-  my.At.Rendering = false;
   if (my.At.RemovedMeanwhile)
   {
     this->Detach();
@@ -157,16 +177,20 @@ void vtkShadowPass::RenderShadowed(const vtkRenderState* s)
     stages.Opaque.Release(window);
     stages.Translucent.Release(window);
   }
-  if (!my.Active)
-  {
-    frame.Parts.clear();
-  }
   my.BufferAskedFor = false;
 
-  my.Injector.Update(my.GetUse());
-  if (my.Active)
+  // What is drawn may set another technique.
+  vtkShadowTechnique* technique = my.Technique.get();
+  my.Active = my.Active && stages.Guard(*technique,
+                             [&]
+                             {
+                               my.Injector.Update(my.GetUse());
+                               technique->Activate(frame);
+                               return true;
+                             });
+  const bool active = my.Active;
+  if (active)
   {
-    my.Technique->Activate(frame);
     for (auto* screen : { &stages.Opaque, &stages.Translucent })
     {
       if (stages.IsInScreenSpace() && screen->Valid)
@@ -174,6 +198,11 @@ void vtkShadowPass::RenderShadowed(const vtkRenderState* s)
         screen->Activate(window);
       }
     }
+  }
+  else
+  {
+    frame.Parts.clear();
+    my.Injector.Update(my.GetUse());
   }
   {
     vtkShadowTimers::Scope timer(stages.GetTimers(), "shading");
@@ -183,20 +212,20 @@ void vtkShadowPass::RenderShadowed(const vtkRenderState* s)
   }
   // The mappers keep this pass in their caches: it must keep nothing that keeps them.
   my.Props.clear();
-  if (my.Active)
+  if (active)
   {
     stages.Opaque.Deactivate(window);
     stages.Translucent.Deactivate(window);
     if (debug)
     {
-      stages.Guard(
+      stages.Guard(*technique,
         [&]
         {
-          vtkShadowDebugViews::Draw(frame, *my.Technique, stages.Opaque, my.DebugView);
+          vtkShadowDebugViews::Draw(frame, *technique, stages.Opaque, my.DebugView);
           return true;
         });
     }
-    my.Technique->Deactivate(frame);
+    technique->Deactivate(frame);
   }
   stages.Finish();
   vtkOpenGLCheckErrorMacro("failed after vtkShadowPass::Render");
@@ -241,8 +270,12 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
   {
     return false;
   }
-  stages.ChooseEvaluation(my.Technique.get(), my.Settings);
-  return true;
+  return stages.Guard(*my.Technique,
+    [&]
+    {
+      stages.ChooseEvaluation(my.Technique.get(), my.Settings);
+      return true;
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -380,7 +413,17 @@ bool vtkShadowPass::PostReplaceShaderValues(std::string& vertexShader, std::stri
 bool vtkShadowPass::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
-  this->Internal->Injector.SetParameters(program, mapper, prop);
+  Internals& my = *this->Internal;
+  try
+  {
+    my.Injector.SetParameters(program, mapper, prop);
+  }
+  catch (const std::exception& exception)
+  {
+    // Between VTK's own calls: the frame goes on with whatever the program has.
+    my.Messages.Error(
+      std::string("the technique failed to set its parameters: ") + exception.what());
+  }
   return true;
 }
 

@@ -228,8 +228,8 @@ protected:
   ~vtkShadowPass() override;
 
   /**
-   * Give the technique what a subclass keeps for it beside its parameters. Called before each frame, and
-   * once a frame at most for the same technique.
+   * Give the technique what a subclass keeps for it beside its parameters. Called before each
+   * frame.
    */
   virtual void PrepareTechnique(vtkShadowTechnique&) {}
   /**

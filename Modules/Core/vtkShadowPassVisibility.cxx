@@ -94,6 +94,7 @@ bool vtkShadowPass::UpdateVisibility()
       frame.Parts.clear();
     }
     this->EvaluateVisibility(true);
+    my.Stages.Finish();
     my.Props.clear();
     frame.Counts = counts;
     state->Pop();

@@ -159,7 +159,7 @@ bool vtkShadowStages::SetCamera()
 }
 
 //------------------------------------------------------------------------------
-bool vtkShadowStages::Guard(const std::function<bool()>& call)
+bool vtkShadowStages::Guard(vtkShadowTechnique& technique, const std::function<bool()>& call)
 {
   try
   {
@@ -169,6 +169,9 @@ bool vtkShadowStages::Guard(const std::function<bool()>& call)
   {
     this->Frame.Messages->Error(
       std::string("drawn without shadows, as the technique failed: ") + exception.what());
+    // What it has begun is not to be taken for what it keeps.
+    technique.Deactivate(this->Frame);
+    technique.Release(this->Frame.Window);
     return false;
   }
 }
@@ -177,7 +180,7 @@ bool vtkShadowStages::Guard(const std::function<bool()>& call)
 bool vtkShadowStages::UpdateLightData(vtkShadowTechnique& technique)
 {
   vtkShadowTimers::Scope timer(this->Timers, "light data");
-  return this->Guard([&] { return technique.UpdateLightData(this->Frame); });
+  return this->Guard(technique, [&] { return technique.UpdateLightData(this->Frame); });
 }
 
 //------------------------------------------------------------------------------
@@ -230,7 +233,8 @@ bool vtkShadowStages::AllocateVisibility(vtkShadowScreen& screen)
 bool vtkShadowStages::Evaluate(vtkShadowTechnique& technique, vtkShadowScreen& screen)
 {
   vtkShadowTimers::Scope timer(this->Timers, "visibility");
-  return this->Guard(
+  screen.Visibility.SetQuantity(this->Frame.Window, ""); // whatever a debug view left
+  return this->Guard(technique,
     [&]
     {
       technique.Evaluate(this->Frame, screen.Visibility);

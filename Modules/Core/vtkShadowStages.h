@@ -44,8 +44,11 @@ public:
   bool AllocateVisibility(vtkShadowScreen& screen);
   /** Fill a screen's visibility, or a quantity. False after an error. */
   bool Evaluate(vtkShadowTechnique& technique, vtkShadowScreen& screen);
-  /** Call something of the technique's. False, after an error, where an exception leaves it. */
-  bool Guard(const std::function<bool()>& call);
+  /**
+   * Call something of the technique's. Where an exception leaves it: false, after an error, and the technique
+   * has no light data.
+   */
+  bool Guard(vtkShadowTechnique& technique, const std::function<bool()>& call);
 
   bool IsInScreenSpace() const { return this->ScreenSpace; }
   vtkShadowFrame& GetFrame() { return this->Frame; }

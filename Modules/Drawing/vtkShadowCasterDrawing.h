@@ -34,7 +34,8 @@ class vtkShaderProgram;
 struct vtkShadowCasterDraw
 {
   /**
-   * GLSL that outlives the drawing (constants of glsl/ do); nullptr for the vertex or fragment shader of
+   * GLSL in constants, such as those of glsl/: programs are found by where it lies (vtkShadowPrograms), so
+   * that a text made for one draw call would be taken for another. nullptr for the vertex or fragment shader of
    * depth, or for no geometry shader. Of casters with holes the marks //VTK::ShadowHoles::Dec and ::Impl
    * in both shaders are replaced, by what discards fragments.
    */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What changed since the last frame for light data that is kept by parts of lights: the rule by which
-// every technique keeps or rebuilds them.
+// they are kept or rebuilt.
 
 #ifndef vtkShadowChanges_h
 #define vtkShadowChanges_h

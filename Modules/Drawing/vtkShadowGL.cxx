@@ -11,7 +11,38 @@
 
 #include <algorithm>
 #include <numeric>
+#include <stdexcept>
 #include <utility>
+
+namespace
+{
+struct Layout
+{
+  GLint Internal;
+  GLenum External;
+  GLenum Type;
+  std::size_t Size; // bytes
+};
+
+/** In the order of vtkShadowTexture::Format. */
+const Layout& GetLayout(vtkShadowTexture::Format format)
+{
+  static constexpr Layout layouts[] = { { GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 4 },
+    { GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, 4 },
+    { GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV, 8 },
+    { GL_R32F, GL_RED, GL_FLOAT, 4 }, { GL_RG32F, GL_RG, GL_FLOAT, 8 },
+    { GL_RGBA32F, GL_RGBA, GL_FLOAT, 16 }, { GL_R8, GL_RED, GL_UNSIGNED_BYTE, 1 },
+    { GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4 }, { GL_R16F, GL_RED, GL_HALF_FLOAT, 2 },
+    { GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 8 }, { GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 4 },
+    { GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 16 } };
+  return layouts[static_cast<int>(format)];
+}
+
+bool IsInteger(vtkShadowTexture::Format format)
+{
+  return GetLayout(format).Type == GL_UNSIGNED_INT;
+}
+}
 
 //------------------------------------------------------------------------------
 bool vtkShadowTexture::Allocate(
@@ -32,22 +63,7 @@ bool vtkShadowTexture::Allocate(
   ++this->Generation;
   glGenTextures(1, &this->Handle);
   this->Activate(window);
-  struct Layout
-  {
-    GLint Internal;
-    GLenum External;
-    GLenum Type;
-    std::size_t Size;
-  };
-  static constexpr Layout layouts[] = { { GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 4 },
-    { GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, 4 },
-    { GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV, 8 },
-    { GL_R32F, GL_RED, GL_FLOAT, 4 }, { GL_RG32F, GL_RG, GL_FLOAT, 8 },
-    { GL_RGBA32F, GL_RGBA, GL_FLOAT, 16 }, { GL_R8, GL_RED, GL_UNSIGNED_BYTE, 1 },
-    { GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4 }, { GL_R16F, GL_RED, GL_HALF_FLOAT, 2 },
-    { GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 8 }, { GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 4 },
-    { GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 16 } };
-  const Layout& layout = layouts[static_cast<int>(format)];
+  const Layout& layout = GetLayout(format);
   while (glGetError() != GL_NO_ERROR)
   {
   }
@@ -133,11 +149,15 @@ void vtkShadowTexture::UploadBuffer(
 //------------------------------------------------------------------------------
 void vtkShadowTexture::UploadLayer(vtkOpenGLRenderWindow* window, int layer, const float* values)
 {
+  if (IsInteger(this->TexelFormat))
+  {
+    throw std::logic_error("vtkShadowTexture::UploadLayer: floats cannot become integers");
+  }
   const bool active = this->Unit >= 0;
   this->Activate(window);
   window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   glTexSubImage3D(this->Target, 0, 0, 0, layer, this->Width, this->Height, 1,
-    this->TexelFormat == Format::Float1 ? GL_RED : GL_RGBA, GL_FLOAT, values);
+    GetLayout(this->TexelFormat).External, GL_FLOAT, values);
   if (!active)
   {
     this->Deactivate(window);
@@ -307,19 +327,17 @@ vtkShadowFramebuffer::Scope::Scope(vtkOpenGLRenderWindow* window, vtkShadowFrame
   {
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + i, GL_TEXTURE_2D, 0, 0);
   }
-  framebuffer.Attached = count;
   this->SetLayer(layer);
   const GLenum first = count > 0 ? GL_COLOR_ATTACHMENT0 : GL_NONE;
-  if (count > 1)
+  // VTK's cache knows the first buffer of a framebuffer alone: the others are told to OpenGL directly.
+  state->vtkglDrawBuffer(first);
+  if (count > 1 || framebuffer.Attached > 1)
   {
-    std::vector<unsigned int> buffers(count);
-    std::iota(buffers.begin(), buffers.end(), static_cast<unsigned int>(GL_COLOR_ATTACHMENT0));
-    state->vtkglDrawBuffers(count, buffers.data());
+    std::vector<GLenum> buffers(std::max(1u, count), first);
+    std::iota(buffers.begin(), buffers.end(), first);
+    glDrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
   }
-  else
-  {
-    state->vtkglDrawBuffer(first);
-  }
+  framebuffer.Attached = count;
   state->vtkglReadBuffer(first);
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglDisable(GL_BLEND);
@@ -383,13 +401,14 @@ vtkShadowFramebuffer::Scope::~Scope()
 void vtkShadowFramebuffer::Read(
   vtkOpenGLRenderWindow* window, const vtkShadowTexture& texture, int layer, float* values)
 {
+  if (IsInteger(texture.GetFormat()))
+  {
+    throw std::logic_error("vtkShadowFramebuffer::Read: integers are not read as floats");
+  }
   Scope scope(window, *this, &texture, nullptr, layer);
   window->GetState()->vtkglPixelStorei(GL_PACK_ALIGNMENT, 4);
-  using Format = vtkShadowTexture::Format;
-  const Format format = texture.GetFormat();
   glReadPixels(0, 0, texture.GetWidth(), texture.GetHeight(),
-    format == Format::Float4 ? GL_RGBA : (format == Format::Float2 ? GL_RG : GL_RED), GL_FLOAT,
-    values);
+    GetLayout(texture.GetFormat()).External, GL_FLOAT, values);
 }
 
 //------------------------------------------------------------------------------

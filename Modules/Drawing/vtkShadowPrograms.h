@@ -22,7 +22,7 @@ class vtkOpenGLRenderWindow;
 class VTKSOFTSHADOWSDRAWING_EXPORT vtkShadowPrograms
 {
 public:
-  /** Texts that outlive the programs; nullptr: no geometry shader. */
+  /** Constants: texts that neither change nor go before the programs. nullptr: no geometry shader. */
   struct Sources
   {
     const char* Vertex = nullptr;

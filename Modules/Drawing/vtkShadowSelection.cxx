@@ -9,30 +9,37 @@
 #include "vtkShadowReceivers.h"
 #include "vtkShadowSelectionGS.h"
 #include "vtkShadowSelectionVS.h"
+#include "vtkSmartPointer.h"
 #include "vtkTransformFeedback.h"
 
-//------------------------------------------------------------------------------
-vtkShadowSelection::vtkShadowSelection()
-  : Captured(vtkSmartPointer<vtkTransformFeedback>::New())
+namespace
 {
-  // What is captured has to be known when the program is linked. The roles mean nothing here.
-  this->Captured->AddVarying(vtkTransformFeedback::Color_RGBA_F, "selectedTexel");
-  this->Captured->AddVarying(vtkTransformFeedback::Normal_F, "selectedPixel");
+/** Names of what is captured, as VTK wants them: always one object, or it links the program anew. */
+vtkTransformFeedback* GetCaptured()
+{
+  static const auto captured = []
+  {
+    auto made = vtkSmartPointer<vtkTransformFeedback>::New();
+    made->AddVarying(
+      vtkTransformFeedback::Color_RGBA_F, "selectedTexel"); // roles mean nothing here
+    made->AddVarying(vtkTransformFeedback::Normal_F, "selectedPixel");
+    return made;
+  }();
+  return captured;
 }
-
-//------------------------------------------------------------------------------
-vtkShadowSelection::~vtkShadowSelection() = default;
+}
 
 //------------------------------------------------------------------------------
 void vtkShadowSelection::Start(vtkShadowFrame& frame, vtkShadowReceivers& receivers,
   const std::string& GLSL, const std::function<void(vtkShaderProgram*)>& setParameters)
 {
   this->Pending = false;
+  this->Pixels.clear();
   std::string vertex = vtkShadowSelectionVS;
   vtkShaderProgram::Substitute(
     vertex, "//SHADOW::Declarations", frame.GetLightsGLSL() + vtkShadowReceivers::GetGLSL() + GLSL);
   vtkShaderProgram* program = frame.Window->GetShaderCache()->ReadyShaderProgram(
-    vertex.c_str(), "//VTK::System::Dec\nvoid main() {}\n", vtkShadowSelectionGS, this->Captured);
+    vertex.c_str(), "//VTK::System::Dec\nvoid main() {}\n", vtkShadowSelectionGS, GetCaptured());
   if (!program)
   {
     return;

@@ -9,19 +9,18 @@
 #ifndef vtkShadowSelection_h
 #define vtkShadowSelection_h
 
-#include "vtkSmartPointer.h"             // For what is captured
 #include "vtkSoftShadowsDrawingModule.h" // For export macro
 
 #include <glm/vec4.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
 class vtkShaderProgram;
 class vtkShadowReceivers;
-class vtkTransformFeedback;
 struct vtkShadowFrame;
 
 class VTKSOFTSHADOWSDRAWING_EXPORT vtkShadowSelection
@@ -29,12 +28,11 @@ class VTKSOFTSHADOWSDRAWING_EXPORT vtkShadowSelection
 public:
   struct Pixel
   {
-    glm::vec4 Receiver; // see vtkShadowReceivers
-    float Number;       // row by row from the bottom; whole
+    glm::vec4 Receiver;  // see vtkShadowReceivers
+    std::int32_t Number; // row by row from the bottom
   };
 
-  vtkShadowSelection();
-  ~vtkShadowSelection();
+  vtkShadowSelection() = default;
   vtkShadowSelection(const vtkShadowSelection&) = delete;
   void operator=(const vtkShadowSelection&) = delete;
 
@@ -51,8 +49,6 @@ public:
   void Release();
 
 private:
-  /** Names of what is captured; always the same object, or VTK would link the program anew. */
-  vtkSmartPointer<vtkTransformFeedback> Captured;
   unsigned int VertexArray = 0;
   unsigned int Buffer = 0;
   unsigned int Query = 0;

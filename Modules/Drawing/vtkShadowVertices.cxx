@@ -46,6 +46,7 @@ void vtkShadowVertices::Draw(vtkOpenGLRenderWindow* window, unsigned int primiti
   if (setParameters)
   {
     setParameters(program->Shaders);
+    program->VertexArray->Bind(); // whatever that bound
   }
   glDrawArrays(primitive, static_cast<GLint>(first), static_cast<GLsizei>(count));
   program->VertexArray->Release();

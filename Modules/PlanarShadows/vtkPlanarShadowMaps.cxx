@@ -198,7 +198,7 @@ bool vtkPlanarShadowMaps::Allocate(vtkShadowFrame& frame)
   }
   if (!made)
   {
-    this->Release(frame.Window);
+    this->ReleaseTextures(frame.Window);
     return false;
   }
   if (before != this->Maps.GetGeneration())
@@ -271,11 +271,13 @@ bool vtkPlanarShadowMaps::Update(vtkShadowFrame& frame, const vtkShadowPlanes& p
     // What there is no room for in groups may fit as a whole.
     if (this->Groups == 1)
     {
+      this->Release(frame.Window);
       return false;
     }
     this->MakeEntries(frame, planes, 1, keep);
     if (!this->Allocate(frame))
     {
+      this->Release(frame.Window);
       return false;
     }
   }
@@ -564,12 +566,22 @@ std::vector<std::pair<std::string, std::size_t>> vtkPlanarShadowMaps::GetBytes()
 }
 
 //------------------------------------------------------------------------------
-void vtkPlanarShadowMaps::Release(vtkOpenGLRenderWindow* window)
+void vtkPlanarShadowMaps::ReleaseTextures(vtkOpenGLRenderWindow* window)
 {
   this->Maps.Release(window);
   this->Stencil.Release(window);
   this->Records.Release(window);
   this->Framebuffer.Release(window);
+  for (auto& entry : this->Entries)
+  {
+    entry.Drawn = false;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPlanarShadowMaps::Release(vtkOpenGLRenderWindow* window)
+{
+  this->ReleaseTextures(window);
   this->Entries.clear();
   this->Changes.Reset();
 }

@@ -89,6 +89,7 @@ private:
   std::vector<vtkLightSample> GetSamples(const vtkShadowLightPart& part,
     const vtkShadowPlane& plane, const vtkShadowCasters& casters) const;
   bool Allocate(vtkShadowFrame& frame);
+  void ReleaseTextures(vtkOpenGLRenderWindow* window);
   void UpdateCamera(vtkShadowFrame& frame);
   void Draw(vtkShadowFrame& frame);
   void DrawLayer(vtkShadowFrame& frame, const vtkPlanarShadow& shadow);

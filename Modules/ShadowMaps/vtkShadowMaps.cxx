@@ -392,7 +392,9 @@ void vtkShadowMaps::UpdateViewVectors(vtkShadowFrame& frame, bool changed)
       this->AddKernelVectors(frame.Parts[view.Light], view);
     }
   }
-  this->ViewVectors.Update(frame.Window, this->GetNumberOfViews() <= MostFewViews);
+  // The constants of few views are those of all at once.
+  this->ViewVectors.Update(
+    frame.Window, this->AreResident() && this->GetNumberOfViews() <= MostFewViews);
 }
 
 //------------------------------------------------------------------------------

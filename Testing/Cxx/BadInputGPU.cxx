@@ -14,6 +14,7 @@ using ShadowTest::Message;
 namespace
 {
 int LargestTexture = 0; // 0: what the GPU says
+int MostLayers = 0;
 
 PFNGLTEXIMAGE3DPROC TexImage3D = nullptr;
 PFNGLTEXSTORAGE3DPROC TexStorage3D = nullptr;
@@ -43,6 +44,10 @@ void Limit(GLenum name, GLint* value)
   if (name == GL_MAX_TEXTURE_SIZE && LargestTexture > 0)
   {
     *value = LargestTexture;
+  }
+  if (name == GL_MAX_ARRAY_TEXTURE_LAYERS && MostLayers > 0)
+  {
+    *value = MostLayers;
   }
 }
 
@@ -141,4 +146,33 @@ SHADOW_TEST(BadInput, NoMemory, Each)
   stage.Render();
   ShadowTest::CheckNoMessage("with memory again");
   ShadowTest::CheckEqual(GetRange(stage.GetVisibility()).first, 0.0, "lowest V with memory again");
+}
+
+//------------------------------------------------------------------------------
+// Casters far apart on a plane have layers of their own; where these are too many, one for all, which is
+// kept as they would be.
+SHADOW_TEST(BadInput, TooManyLayers, Once)
+{
+  const std::string soft = "planar-soft";
+  if (!vtkShadowTechniqueRegistration::Find(soft))
+  {
+    return;
+  }
+  ShadowStage stage;
+  stage.AddFloor(10.0);
+  stage.AddBox({ -6.0, 0.0, 0.4 }, { 0.5, 0.5, 0.8 });
+  stage.AddBox({ 6.0, 0.0, 0.4 }, { 0.5, 0.5, 0.8 });
+  stage.AddLight(LightKind::Point, { 0.0, -4.0, 12.0 }, { 0.0, 0.0, 0.0 });
+  stage.SetPass(soft);
+  stage.Render();
+  ShadowTest::CheckAtLeast(stage.Count("planarMapsDrawn"), 2.0, "layers of groups");
+  MostLayers = 1;
+  UseLimit();
+  stage.SetPass(soft);
+  stage.Render();
+  ShadowTest::CheckEqual(stage.Count("planarMapsDrawn"), 1.0, "layers where one can be");
+  ShadowTest::CheckEqual(GetRange(stage.GetVisibility()).first, 0.0, "there is a shadow");
+  stage.Render();
+  ShadowTest::CheckEqual(stage.Count("planarMapsDrawn"), 0.0, "layers drawn again");
+  MostLayers = 0;
 }

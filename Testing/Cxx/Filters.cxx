@@ -288,3 +288,32 @@ SHADOW_TEST(Filters, KernelWiderThanTheMap, Each)
     }
   }
 }
+
+//------------------------------------------------------------------------------
+// Maps that do not fit into the memory are drawn in batches: few views too, which are constants of the
+// shader where they all lie there at once.
+SHADOW_TEST(Filters, BatchesChangeNothing, Once)
+{
+  if (!vtkShadowTechniqueRegistration::Find("map-soft"))
+  {
+    return;
+  }
+  for (const char* samples : { "8", "40" })
+  {
+    Visibility visibility[2];
+    for (const bool batches : { false, true })
+    {
+      ShadowStage stage;
+      stage.AddThings();
+      stage.AddLight(LightKind::Disk);
+      stage.SetPass("map-soft",
+        { { "samples", samples }, { "resolution", "512" }, { "memory", batches ? "1" : "512" } });
+      stage.Render();
+      visibility[batches] = stage.GetVisibility();
+      ShadowTest::Check(
+        (stage.Count("mapBatches") > 1.0) == batches, "batches where there is room");
+    }
+    ShadowTest::CheckAtMost(Compare(visibility[0], visibility[1]).Maximum, 1e-5,
+      std::string(samples) + " samples: difference of V");
+  }
+}

@@ -269,6 +269,19 @@ private:
   std::vector<Other> Others;
 };
 
+/** Throws where it is asked for GLSL. */
+class FailingForward : public vtkShadowTechnique
+{
+public:
+  using vtkShadowTechnique::vtkShadowTechnique;
+  bool UpdateLightData(vtkShadowFrame&) override { return true; }
+  std::string GetVisibilityGLSL() override
+  {
+    throw std::runtime_error("the technique's own reason");
+  }
+  void Release(vtkOpenGLRenderWindow*) override {}
+};
+
 /** Throws where it is asked for visibility. */
 class Failing : public vtkShadowTechnique
 {
@@ -325,8 +338,7 @@ public:
     {
       if (vtkShadowReceiver::IsOne(texels[i]) && texels[i].x > 0.0f)
       {
-        const bool same = wanted < chosen.size() &&
-                          chosen[wanted].Number == static_cast<float>(i) &&
+        const bool same = wanted < chosen.size() && chosen[wanted].Number == static_cast<int>(i) &&
                           chosen[wanted].Receiver == texels[i];
         wrong += same ? 0 : 1;
         ++wanted;
@@ -552,11 +564,20 @@ SHADOW_TEST(Seams, Exceptions, Once)
   stage.AddLight(LightKind::Point);
   stage.Render();
   const Picture plain = stage.GetPicture();
-  SetPass<Failing>(stage, "test-failing", {});
-  for (int frame = 0; frame < 2; ++frame)
+  vtkShadowTraits forward;
+  forward.Forward = true;
+  for (int frame = 0; frame < 4; ++frame)
   {
-    stage.Render();
     if (frame == 0)
+    {
+      SetPass<Failing>(stage, "test-failing", {});
+    }
+    else if (frame == 2)
+    {
+      SetPass<FailingForward>(stage, "test-failing-forward", forward);
+    }
+    stage.Render();
+    if (frame % 2 == 0)
     {
       ShadowTest::CheckOneMessage(
         Message::Error, { "the technique's own reason" }, "what it threw");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 
-// Draws one caster's depth: see vtkShadowCasters.
+// Draws one caster's depth: see vtkShadowCasterDrawing.
 
 in vec3 vertexMC;
 

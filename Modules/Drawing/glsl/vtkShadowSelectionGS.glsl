@@ -7,14 +7,14 @@ layout(points) in;
 layout(points, max_vertices = 1) out;
 
 in vec4 chosenTexel[];
-in float chosenPixel[];
+flat in int chosenPixel[];
 
 out vec4 selectedTexel;
-out float selectedPixel;
+flat out int selectedPixel;
 
 void main()
 {
-  if (chosenPixel[0] >= 0.0)
+  if (chosenPixel[0] >= 0)
   {
     selectedTexel = chosenTexel[0];
     selectedPixel = chosenPixel[0];

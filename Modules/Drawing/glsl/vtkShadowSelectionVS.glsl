@@ -10,16 +10,16 @@ uniform sampler2DArray shadowReceivers;
 uniform int shadowWidth;
 
 out vec4 chosenTexel;
-out float chosenPixel; // its number, or -1
+flat out int chosenPixel; // its number, or -1
 
 void main()
 {
   chosenTexel =
     texelFetch(shadowReceivers, ivec3(gl_VertexID % shadowWidth, gl_VertexID / shadowWidth, 0), 0);
-  chosenPixel = -1.0;
+  chosenPixel = -1;
   if (shadowIsReceiver(chosenTexel) && shadowSelect(chosenTexel))
   {
-    chosenPixel = float(gl_VertexID);
+    chosenPixel = gl_VertexID;
   }
   gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
 }
