@@ -86,11 +86,11 @@ void vtkShadowPass::Render(const vtkRenderState* s)
 {
   Internals& my = *this->Internal;
   vtkRenderer* renderer = s->GetRenderer();
-  my.Copy = this->FindCopy(renderer);
-  if (my.Copy)
+  my.At.Copy = this->FindCopy(renderer);
+  if (my.At.Copy)
   {
-    my.Copy->Render(s);
-    this->NumberOfRenderedProps = my.Copy->GetNumberOfRenderedProps();
+    my.At.Copy->Render(s);
+    this->NumberOfRenderedProps = my.At.Copy->GetNumberOfRenderedProps();
     return;
   }
   if (my.At.Rendering)

@@ -83,19 +83,19 @@ public:
     bool Drawn = false;            // in the renderer's frame that is going on
     bool Rendering = false;        // now
     bool RemovedMeanwhile = false; // from the renderer, while it rendered
+
+    // Further renderers: a copy of the pass for each.
+    struct CopyOf
+    {
+      vtkWeakPointer<vtkRenderer> Renderer;
+      vtkSmartPointer<vtkShadowPass> Pass;
+      vtkTimeStamp Time; // of its settings
+    };
+    std::vector<CopyOf> Copies;
+    vtkWeakPointer<vtkShadowPass> Copy; // that drew the last frame; nullptr: this pass did
+    vtkShadowPass* Original = nullptr;  // of a copy
   };
   Attachment At;
-
-  // Further renderers: a copy of the pass for each.
-  struct CopyOf
-  {
-    vtkWeakPointer<vtkRenderer> Renderer;
-    vtkSmartPointer<vtkShadowPass> Pass;
-    vtkTimeStamp Time; // of its settings
-  };
-  std::vector<CopyOf> Copies;
-  vtkWeakPointer<vtkShadowPass> Copy; // that drew the last frame; nullptr: this pass did
-  vtkShadowPass* Original = nullptr;  // of a copy
 
   /** What the injected code is to be made for. */
   vtkShadowInjector::Use GetUse();

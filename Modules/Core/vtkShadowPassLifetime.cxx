@@ -67,9 +67,9 @@ vtkShadowPass::vtkShadowPass()
 vtkShadowPass::~vtkShadowPass()
 {
   this->Detach();
-  for (const auto& copy : this->Internal->Copies)
+  for (const auto& copy : this->Internal->At.Copies)
   {
-    copy.Pass->Internal->Original = nullptr;
+    copy.Pass->Internal->At.Original = nullptr;
     copy.Pass->Detach();
   }
   this->Internal->At.Context->Pass = nullptr;
@@ -116,22 +116,23 @@ void vtkShadowPass::TakeOff(vtkRenderer* renderer)
 vtkShadowPass* vtkShadowPass::FindCopy(vtkRenderer* renderer)
 {
   Internals& my = *this->Internal;
-  const auto isDone = [this](const Internals::CopyOf& copy) {
+  const auto isDone = [this](const Internals::Attachment::CopyOf& copy) {
     return !copy.Renderer || (!copy.Pass->Internal->At.Holding && !this->IsInChain(copy.Renderer));
   };
-  my.Copies.erase(std::remove_if(my.Copies.begin(), my.Copies.end(), isDone), my.Copies.end());
-  auto copy = std::find_if(my.Copies.begin(), my.Copies.end(),
-    [renderer](const Internals::CopyOf& of) { return of.Renderer == renderer; });
-  if (copy == my.Copies.end())
+  my.At.Copies.erase(
+    std::remove_if(my.At.Copies.begin(), my.At.Copies.end(), isDone), my.At.Copies.end());
+  auto copy = std::find_if(my.At.Copies.begin(), my.At.Copies.end(),
+    [renderer](const Internals::Attachment::CopyOf& of) { return of.Renderer == renderer; });
+  if (copy == my.At.Copies.end())
   {
     if (!my.At.Holding || my.At.Renderer == renderer)
     {
       return nullptr;
     }
-    my.Copies.push_back(
+    my.At.Copies.push_back(
       { renderer, vtkSmartPointer<vtkShadowPass>::Take(this->NewInstance()), {} });
-    copy = my.Copies.end() - 1;
-    copy->Pass->Internal->Original = this;
+    copy = my.At.Copies.end() - 1;
+    copy->Pass->Internal->At.Original = this;
   }
   if (copy->Time < this->GetMTime())
   {
@@ -144,7 +145,7 @@ vtkShadowPass* vtkShadowPass::FindCopy(vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 bool vtkShadowPass::IsInChain(vtkRenderer* renderer)
 {
-  vtkShadowPass* original = this->Internal->Original;
+  vtkShadowPass* original = this->Internal->At.Original;
   return vtkShadowPassChain::Holds(renderer->GetPass(), original ? original : this);
 }
 
@@ -225,7 +226,7 @@ void vtkShadowPass::ReleaseGraphicsResources(vtkWindow* window)
     my.ReleaseRetired(glWindow);
     my.Active = false;
   }
-  for (const auto& copy : my.Copies)
+  for (const auto& copy : my.At.Copies)
   {
     copy.Pass->ReleaseGraphicsResources(window);
   }

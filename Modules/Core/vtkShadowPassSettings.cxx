@@ -212,9 +212,9 @@ std::string vtkShadowPass::GetUnsupportedReason()
 std::string vtkShadowPass::GetStatistics()
 {
   Internals& my = *this->Internal;
-  if (my.Copy)
+  if (my.At.Copy)
   {
-    return my.Copy->GetStatistics();
+    return my.At.Copy->GetStatistics();
   }
   vtkShadowStages& stages = my.Stages;
   nlohmann::ordered_json json = { { "technique", this->GetTechnique() }, { "frame", my.Frames },

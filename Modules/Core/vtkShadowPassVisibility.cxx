@@ -10,7 +10,7 @@
 //------------------------------------------------------------------------------
 vtkImageData* vtkShadowPass::GetVisibility(vtkLight* light)
 {
-  if (vtkShadowPass* copy = this->Internal->Copy)
+  if (vtkShadowPass* copy = this->Internal->At.Copy)
   {
     return copy->GetVisibility(light);
   }
@@ -31,7 +31,7 @@ vtkImageData* vtkShadowPass::GetVisibility(vtkLight* light)
 //------------------------------------------------------------------------------
 vtkImageData* vtkShadowPass::GetVisibility(int light)
 {
-  if (vtkShadowPass* copy = this->Internal->Copy)
+  if (vtkShadowPass* copy = this->Internal->At.Copy)
   {
     return copy->GetVisibility(light);
   }
