@@ -383,7 +383,8 @@ void ShadowSceneBuilders::Plant(vtkRenderer* renderer, int triangles)
     // A trial on empty meshes tells what the next module takes; the random numbers are kept.
     const auto index = static_cast<int>(modules.size());
     const double x = Pitch * (index % columns);
-    const double y = 1.15 * Pitch * (index / columns);
+    const int row = index / columns;
+    const double y = 1.15 * Pitch * row;
     ShadowSceneRandom trialRandom = random;
     Meshes trial;
     Module(trial, trialRandom, sides, x, y).AddAll();

@@ -114,7 +114,7 @@ void vtkShadowSilhouetteCache::Find(
   const auto& lines = result.Silhouettes.GetLines();
   frame.Counts["silhouetteMilliseconds"] +=
     std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  frame.Counts["silhouetteEdges"] += static_cast<double>(lines.size() / 2);
+  frame.Counts["silhouetteEdges"] += 0.5 * static_cast<double>(lines.size());
   result.Bytes = lines.size() * sizeof(std::uint32_t);
   glBindVertexArray(0); // or the buffer would become that array's
   result.Lines->Upload(lines, vtkOpenGLBufferObject::ElementArrayBuffer);
