@@ -270,7 +270,8 @@ std::shared_ptr<const vtkShadowMesh> vtkShadowMesh::Make(
   {
     mesh->Middle += glm::dvec3(positions[i], positions[i + 1], positions[i + 2]);
   }
-  mesh->Middle /= static_cast<double>(positions.size() / 3);
+  const std::size_t vertices = positions.size() / 3;
+  mesh->Middle /= static_cast<double>(vertices);
   for (std::size_t i = 0; i < positions.size(); i += 3)
   {
     const glm::dvec3 p(positions[i], positions[i + 1], positions[i + 2]);

@@ -63,10 +63,11 @@ void vtkRayTracedShadowTechnique::FillVisibility(vtkShadowFrame& frame, vtkVisib
     [&](int pixel)
     {
       // Through the pixel's centre, from the near plane to the far one.
-      const glm::dvec2 place =
-        2.0 * glm::dvec2(pixel % buffer.GetWidth() + 0.5, pixel / buffer.GetWidth() + 0.5) /
-          glm::dvec2(buffer.GetWidth(), buffer.GetHeight()) -
-        1.0;
+      const int column = pixel % buffer.GetWidth();
+      const int row = pixel / buffer.GetWidth();
+      const glm::dvec2 place = 2.0 * glm::dvec2(column + 0.5, row + 0.5) /
+                                 glm::dvec2(buffer.GetWidth(), buffer.GetHeight()) -
+                               1.0;
       const glm::dvec4 from = clipToSWC * glm::dvec4(place, -1.0, 1.0);
       const glm::dvec4 to = clipToSWC * glm::dvec4(place, 1.0, 1.0);
       const glm::dvec3 front = glm::dvec3(from) / from.w;

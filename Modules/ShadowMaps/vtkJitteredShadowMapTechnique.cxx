@@ -77,7 +77,8 @@ void vtkJitteredShadowMapTechnique::UpdatePatterns(vtkShadowFrame& frame)
         // From the outer ring inwards; those of a pair are opposite.
         const int sector = i % sectors / 2 + i % 2 * (sectors / 2);
         const double turn = (sector + random()) / sectors;
-        const double radius = std::sqrt((rings - 1 - i / sectors + random()) / rings);
+        const int ring = i / sectors;
+        const double radius = std::sqrt((rings - 1 - ring + random()) / rings);
         const glm::vec2 point(radius * GoAround(turn, form == 1));
         glm::vec4& pair = pairs[(form * samples / 2 + i / 2) * Tile * Tile + texel];
         pair[i % 2 * 2] = point.x;
