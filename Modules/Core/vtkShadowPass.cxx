@@ -259,7 +259,7 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
     // As they are drawn again with the picture, by the same shaders: in screen space.
     stages.ChooseEvaluation(nullptr, my.Settings);
     my.Active = true;
-    if (!stages.AllocateReceivers(stages.Opaque) || !stages.AllocateVisibility(stages.Opaque))
+    if (!stages.Allocate(stages.Opaque))
     {
       return false;
     }
@@ -330,7 +330,7 @@ bool vtkShadowPass::EvaluateScreen(bool translucent, bool withCatchers)
   Internals& my = *this->Internal;
   vtkShadowStages& stages = my.Stages;
   vtkShadowScreen& screen = translucent ? stages.Translucent : stages.Opaque;
-  if (!stages.AllocateReceivers(screen) || !stages.AllocateVisibility(screen))
+  if (!stages.Allocate(screen))
   {
     return false;
   }

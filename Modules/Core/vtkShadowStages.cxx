@@ -201,25 +201,12 @@ void vtkShadowStages::ChooseEvaluation(
 }
 
 //------------------------------------------------------------------------------
-bool vtkShadowStages::AllocateReceivers(vtkShadowScreen& screen)
-{
-  const vtkShadowFrame& frame = this->Frame;
-  const bool made = screen.Receivers.Allocate(frame.Window, frame.Size[0], frame.Size[1]);
-  if (!made)
-  {
-    frame.Messages->Error("no memory for the receivers of " + std::to_string(frame.Size[0]) +
-                          " x " + std::to_string(frame.Size[1]) +
-                          " pixels; drawn without shadows.");
-  }
-  return made;
-}
-
-//------------------------------------------------------------------------------
-bool vtkShadowStages::AllocateVisibility(vtkShadowScreen& screen)
+bool vtkShadowStages::Allocate(vtkShadowScreen& screen)
 {
   const vtkShadowFrame& frame = this->Frame;
   const int parts = std::max(1, static_cast<int>(frame.Parts.size()));
-  const bool made = screen.Visibility.Allocate(frame.Window, screen.Receivers, parts, frame.Color);
+  const bool made = screen.Receivers.Allocate(frame.Window, frame.Size[0], frame.Size[1]) &&
+                    screen.Visibility.Allocate(frame.Window, screen.Receivers, parts, frame.Color);
   if (!made)
   {
     frame.Messages->Error("no memory for the visibility of " + std::to_string(frame.Size[0]) +

@@ -40,8 +40,7 @@ public:
    */
   void ChooseEvaluation(vtkShadowTechnique* technique, const vtkShadowSettings& settings);
   /** Make room for the receivers of a screen, and for their visibility. False after an error. */
-  bool AllocateReceivers(vtkShadowScreen& screen);
-  bool AllocateVisibility(vtkShadowScreen& screen);
+  bool Allocate(vtkShadowScreen& screen);
   /** Fill a screen's visibility, or a quantity. False after an error. */
   bool Evaluate(vtkShadowTechnique& technique, vtkShadowScreen& screen);
   /**
