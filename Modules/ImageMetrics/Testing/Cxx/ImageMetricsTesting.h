@@ -4,6 +4,8 @@
 #ifndef ImageMetricsTesting_h
 #define ImageMetricsTesting_h
 
+#include "ShadowTesting.h"
+
 #include "vtkCallbackCommand.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -23,28 +25,8 @@
 
 namespace ImageMetricsTesting
 {
-inline int Failures = 0;
-
-#define CHECK(condition)                                                          \
-  do                                                                              \
-  {                                                                               \
-    if (!(condition))                                                             \
-    {                                                                             \
-      std::cout << __FILE__ << ":" << __LINE__ << ": not true: " #condition "\n"; \
-      ++ImageMetricsTesting::Failures;                                            \
-    }                                                                             \
-  } while (false)
-
-#define CHECK_NEAR(value, expected, tolerance)                                              \
-  do                                                                                        \
-  {                                                                                         \
-    if (!(std::abs((value) - (expected)) <= (tolerance)))                                   \
-    {                                                                                       \
-      std::cout << __FILE__ << ":" << __LINE__ << ": " #value " is " << (value) << ", not " \
-                << (expected) << "\n";                                                      \
-      ++ImageMetricsTesting::Failures;                                                      \
-    }                                                                                       \
-  } while (false)
+using ShadowTesting::Failures;
+using ShadowTesting::Result;
 
 template <typename Value>
 struct ArrayOf;
@@ -133,11 +115,6 @@ inline int Count(const std::string& text, const std::string& part)
     ++count;
   }
   return count;
-}
-
-inline int Result()
-{
-  return Failures == 0 ? 0 : 1;
 }
 }
 

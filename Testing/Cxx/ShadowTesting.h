@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tests of this module share: checks that tell where and what, and count.
+// What the C++ tests of modules share: checks that tell where and what, and count.
 
 #ifndef ShadowTesting_h
 #define ShadowTesting_h
