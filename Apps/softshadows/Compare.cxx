@@ -20,7 +20,7 @@ void Compare(const CLI::App& command, const CompareOptions& options)
   const auto pictures = std::count_if(paths.begin(), paths.end(), IsPicture);
   if (pictures == 0)
   {
-    CompareTechniques(options);
+    WithinMemory(options.Scene.Size, [&options] { CompareTechniques(options); });
     return;
   }
   if (pictures != 2 || paths.size() != 2)
@@ -48,10 +48,12 @@ void DeclareCompare(CLI::App& app)
   command
     ->add_option("--reference-samples", options->ReferenceSamples,
       "Rays from each pixel of the reference to the light (default 1024)")
-    ->type_name("N");
+    ->type_name("N")
+    ->check(CLI::Range(1, 16384));
   command
     ->add_option("--frames", options->Frames, "Frames that a time is the median of (default 5)")
-    ->type_name("N");
+    ->type_name("N")
+    ->check(CLI::Range(1, 10000));
   command
     ->add_option("-o,--output", options->Output,
       "Folder for each technique's picture and its difference; of two\n"

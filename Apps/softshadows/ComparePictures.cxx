@@ -4,7 +4,9 @@
 #include "Compare.h"
 
 #include "Errors.h"
+#include "Inputs.h"
 #include "Outputs.h"
+#include "StandardOutput.h"
 
 #include "vtkImageData.h"
 #include "vtkImageFile.h"
@@ -17,7 +19,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
 
 namespace
 {
@@ -25,6 +26,7 @@ namespace fs = std::filesystem;
 
 void Read(const std::string& path, vtkImageData* image)
 {
+  Inputs::Check(path);
   if (!vtkImageFile::Read(path, image))
   {
     Messages::Check();
@@ -65,15 +67,9 @@ void ComparePictures(const CompareOptions& options)
 {
   const std::string& path = options.Scene.Models[0];
   const std::string& referencePath = options.Scene.Models[1];
-  Outputs outputs;
+  Outputs outputs({ path, referencePath });
   if (!options.Output.empty())
   {
-    std::error_code ignored;
-    if (fs::equivalent(options.Output, path, ignored) ||
-        fs::equivalent(options.Output, referencePath, ignored))
-    {
-      throw WrongUsage("\"" + options.Output + "\" is one of the pictures that are compared.");
-    }
     outputs.PlanPicture(options.Output, 3);
   }
   vtkNew<vtkImageData> image;
@@ -111,7 +107,7 @@ void ComparePictures(const CompareOptions& options)
     {
       json["visibility"] = nlohmann::ordered_json::parse(visibility->GetJSON());
     }
-    std::cout << json.dump(2) << std::endl;
+    StandardOutput::Print(json);
     return;
   }
   std::printf("correct %.3f %%, RMSE %.6f, ", picture->GetCorrectness(), picture->GetRMSE());

@@ -4,10 +4,12 @@
 #include "Compare.h"
 
 #include "Errors.h"
+#include "Models.h"
 #include "OffscreenWindow.h"
 #include "Outputs.h"
 #include "Progress.h"
 #include "References.h"
+#include "StandardOutput.h"
 #include "Statistics.h"
 #include "Values.h"
 
@@ -18,7 +20,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <iostream>
 #include <set>
 
 namespace
@@ -187,9 +188,9 @@ void PrintTable(
   const double plain = Statistics::GetMedian(rows.front()->Times);
   std::printf("%s: %lld triangles, %s light, %dx%d; reference: %d rays a pixel, %.0f ms; "
               "unshadowed frame %.1f ms\n",
-    scene.Name.c_str(), static_cast<long long>(scene.Triangles), GetShapeName(scene.Light).c_str(),
-    options.Scene.Size[0], options.Scene.Size[1], options.ReferenceSamples, reference.Milliseconds,
-    plain);
+    Messages::GetPrintable(scene.Name).c_str(), static_cast<long long>(scene.Triangles),
+    GetShapeName(scene.Light).c_str(), options.Scene.Size[0], options.Scene.Size[1],
+    options.ReferenceSamples, reference.Milliseconds, plain);
   std::printf("%-20s %8s %8s %8s %8s %8s %9s %8s %10s %9s\n", "technique", "RMSE", "penumbra",
     "bias", "P99", "max", "correct%", "PSNR", "added ms", "MiB");
   for (const auto& row : rows)
@@ -212,14 +213,14 @@ void PrintTable(
 //------------------------------------------------------------------------------
 void CompareTechniques(const CompareOptions& options)
 {
-  options.Scene.Check();
-  if (options.Frames < 1 || options.Frames > 10000)
-  {
-    throw Failure("--frames is from 1 to 10000, not " + std::to_string(options.Frames) + ".");
-  }
-  Rows rows = MakeRows(options);
+  Rows rows = JudgeUsage(
+    [&options]
+    {
+      options.Scene.Check();
+      return MakeRows(options);
+    });
   const auto referencePass = References::MakePass(options.ReferenceSamples);
-  Outputs outputs;
+  Outputs outputs(Models::GetFiles(options.Scene.Models));
   if (!options.Output.empty())
   {
     outputs.PlanFolder(options.Output);
@@ -252,7 +253,7 @@ void CompareTechniques(const CompareOptions& options)
   Messages::ShowWarnings();
   if (options.AsJson)
   {
-    std::cout << GetJSON(options, rows, reference, scene).dump(2) << std::endl;
+    StandardOutput::Print(GetJSON(options, rows, reference, scene));
     return;
   }
   PrintTable(options, rows, reference, scene);

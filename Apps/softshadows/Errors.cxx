@@ -8,9 +8,9 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <mutex>
 #include <regex>
+#include <set>
 #include <vector>
 
 namespace
@@ -19,9 +19,13 @@ struct Store
 {
   std::mutex Mutex; // filters report from their threads, too
   std::vector<std::string> Errors;
-  std::vector<std::string> Kept;
-  std::size_t Shown = 0;
+  std::set<std::string> Known;
+  std::vector<std::string> Pending;
+  std::size_t More = 0; // that are not kept
+  std::string About;
 };
+
+constexpr std::size_t MostKept = 20;
 
 Store& GetStore()
 {
@@ -33,10 +37,17 @@ void Keep(const std::string& line)
 {
   Store& store = GetStore();
   const std::lock_guard<std::mutex> lock(store.Mutex);
-  if (std::find(store.Kept.begin(), store.Kept.end(), line) == store.Kept.end())
+  if (store.Known.count(line) > 0)
   {
-    store.Kept.push_back(line);
+    return;
   }
+  if (store.Pending.size() >= MostKept)
+  {
+    ++store.More;
+    return;
+  }
+  store.Known.insert(line);
+  store.Pending.push_back(line);
 }
 
 /** The text of a VTK message, without file, line, class and address, on one line. */
@@ -46,7 +57,10 @@ std::string Plain(const char* text)
   static const std::regex speaker("^((vtk\\w+ \\(\\w+\\)|vtk\\w+|\\(nullptr\\)): )+");
   static const std::regex silent("^Algorithm vtk\\w+ ?\\(0x[0-9a-f]+\\) returned failure[^]*");
   static const std::regex space("\\s+");
-  std::string plain = std::regex_replace(std::string(text ? text : ""), place, "");
+  std::string plain(text ? text : "");
+  // std::regex calls itself for each letter.
+  plain.resize(std::min<std::size_t>(plain.size(), 4000));
+  plain = std::regex_replace(plain, place, "");
   plain = std::regex_replace(plain, speaker, "");
   // What a reader says that does not know its own file.
   plain = std::regex_replace(plain, silent, "it is damaged, or of another kind than its name says");
@@ -72,21 +86,41 @@ public:
   void DisplayErrorText(const char* text) override
   {
     const std::string error = Plain(text);
-    if (error.find("Aborting") != std::string::npos)
+    if (std::string(text ? text : "").find("vtkXOpenGLRenderWindow") != std::string::npos &&
+        error.find("Aborting") != std::string::npos)
     {
-      // VTK's X window calls abort() next; nobody would ever see why.
-      Messages::PrintError(error);
-      std::_Exit(1);
+      throw Failure(error); // VTK's X window calls abort() next, and nothing would be cleaned up
     }
     Store& store = GetStore();
     const std::lock_guard<std::mutex> lock(store.Mutex);
-    store.Errors.push_back(error);
+    if (store.Errors.size() < MostKept)
+    {
+      store.Errors.push_back(error);
+    }
   }
-  void DisplayWarningText(const char* text) override { Messages::Warn(Plain(text)); }
-  void DisplayGenericWarningText(const char* text) override { Messages::Warn(Plain(text)); }
+  void DisplayWarningText(const char* text) override { this->Warn(text); }
+  void DisplayGenericWarningText(const char* text) override { this->Warn(text); }
   void DisplayDebugText(const char*) override {}
 
 protected:
+  void Warn(const char* text)
+  {
+    const std::string warning = Plain(text);
+    if (warning.rfind("Error reading", 0) == 0)
+    {
+      // Files cut short: VTK goes on with memory that it has not filled.
+      this->DisplayErrorText(text);
+      return;
+    }
+    std::string about;
+    {
+      Store& store = GetStore();
+      const std::lock_guard<std::mutex> lock(store.Mutex);
+      about = store.About.empty() ? "" : store.About + ": ";
+    }
+    Messages::Warn(about + warning);
+  }
+
   MessageWindow() = default;
 };
 vtkStandardNewMacro(MessageWindow);
@@ -94,6 +128,29 @@ vtkStandardNewMacro(MessageWindow);
 
 namespace Messages
 {
+//------------------------------------------------------------------------------
+std::string GetPrintable(const std::string& text)
+{
+  // Control characters of Unicode, too: U+0080 to U+009F are C2 80 to C2 9F in UTF-8.
+  std::string printable;
+  for (std::size_t i = 0; i < text.size(); ++i)
+  {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : '\0');
+    const bool wide = byte == 0xc2 && next >= 0x80 && next <= 0x9f;
+    if (byte >= 0x20 && byte != 0x7f && !wide)
+    {
+      printable += text[i];
+      continue;
+    }
+    char code[8];
+    std::snprintf(code, sizeof(code), "\\x%02x", wide ? next : byte);
+    printable += code;
+    i += wide ? 1 : 0;
+  }
+  return printable;
+}
+
 //------------------------------------------------------------------------------
 void Install()
 {
@@ -107,7 +164,7 @@ void PrintError(const std::string& text)
 {
   // VTK's sentences have lost their full stops.
   const bool ends = !text.empty() && text.find_last_of(".?!") == text.size() - 1;
-  std::fprintf(stderr, "softshadows: error: %s%s\n", text.c_str(), ends ? "" : ".");
+  std::fprintf(stderr, "softshadows: error: %s%s\n", GetPrintable(text).c_str(), ends ? "" : ".");
 }
 
 //------------------------------------------------------------------------------
@@ -127,10 +184,16 @@ void ShowWarnings()
 {
   Store& store = GetStore();
   const std::lock_guard<std::mutex> lock(store.Mutex);
-  for (; store.Shown < store.Kept.size(); ++store.Shown)
+  for (const std::string& line : store.Pending)
   {
-    std::fprintf(stderr, "%s\n", store.Kept[store.Shown].c_str());
+    std::fprintf(stderr, "%s\n", GetPrintable(line).c_str());
   }
+  if (store.More > 0)
+  {
+    std::fprintf(stderr, "softshadows: warning: %zu more like these.\n", store.More);
+  }
+  store.Pending.clear();
+  store.More = 0;
 }
 
 //------------------------------------------------------------------------------
@@ -141,6 +204,22 @@ std::string TakeError()
   const std::string first = store.Errors.empty() ? "" : store.Errors.front();
   store.Errors.clear();
   return first;
+}
+
+//------------------------------------------------------------------------------
+About::About(const std::string& what)
+{
+  Store& store = GetStore();
+  const std::lock_guard<std::mutex> lock(store.Mutex);
+  store.About = what;
+}
+
+//------------------------------------------------------------------------------
+About::~About()
+{
+  Store& store = GetStore();
+  const std::lock_guard<std::mutex> lock(store.Mutex);
+  store.About.clear();
 }
 
 //------------------------------------------------------------------------------

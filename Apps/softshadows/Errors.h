@@ -28,9 +28,26 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/** Do what the command line alone decides: a Failure there is wrong usage. */
+template <typename Function>
+auto JudgeUsage(Function function) -> decltype(function())
+{
+  try
+  {
+    return function();
+  }
+  catch (const Failure& failure)
+  {
+    throw WrongUsage(failure.what());
+  }
+}
+
 /** The command's own messages and those of VTK, in one form. */
 namespace Messages
 {
+/** Text of whatever origin, fit for a terminal: control characters are written as "\\x1b". */
+std::string GetPrintable(const std::string& text);
+
 /** From now on VTK's messages are collected here instead of being printed. */
 void Install();
 
@@ -41,11 +58,24 @@ void PrintError(const std::string& text);
 void Warn(const std::string& text);
 void Note(const std::string& text);
 
-/** Print what was kept. A command that fails does not: it prints its one error. */
+/**
+ * Print what was kept, of a flood the first and the number of the others. A command that fails does
+ * not: it prints its one error.
+ */
 void ShowWarnings();
 
 /** The first error that VTK has reported since the last call, or "". Forgets all errors. */
 std::string TakeError();
+
+/** While it lives, what VTK warns of is said to be about this. */
+class About
+{
+public:
+  explicit About(const std::string& what);
+  ~About();
+  About(const About&) = delete;
+  void operator=(const About&) = delete;
+};
 
 /** Throw Failure if VTK has reported an error; before its text stands the context, if any. */
 void Check(const std::string& context = "");

@@ -159,7 +159,7 @@ void LightOptions::Apply(vtkAreaLight* light) const
   }
   if (shape != "point" && shape != "sphere" && !(GetDistance(light) > 0.0))
   {
-    throw Failure("a " + shape + " light needs a direction: it is placed on its target.");
+    throw WrongUsage("a " + shape + " light needs a direction: it is placed on its target.");
   }
   const bool flat = shape == "rectangle" && light->GetWidth() + light->GetHeight() > 0.0;
   if (shape != "point" && !flat && GetArea(light) == 0.0)

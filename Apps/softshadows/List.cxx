@@ -2,6 +2,7 @@
 #include "List.h"
 
 #include "Errors.h"
+#include "StandardOutput.h"
 #include "Techniques.h"
 
 #include "vtkShadowNumber.h"
@@ -12,7 +13,6 @@
 #include <CLI/Formatter.hpp>
 
 #include <cstdio>
-#include <iostream>
 #include <memory>
 
 namespace
@@ -90,7 +90,7 @@ void List(const ListOptions& options)
 {
   if (!options.What.empty() && options.What != "techniques" && options.What != "scenes")
   {
-    throw Failure(
+    throw WrongUsage(
       "there is nothing to list by the name '" + options.What + "'. Known: techniques, scenes.");
   }
   Json all;
@@ -113,7 +113,7 @@ void List(const ListOptions& options)
   Messages::Check();
   if (options.AsJson)
   {
-    std::cout << all.dump(2) << std::endl;
+    StandardOutput::Print(all);
     return;
   }
   if (all.contains("techniques"))

@@ -2,6 +2,7 @@
 #include "Models.h"
 
 #include "Errors.h"
+#include "Inputs.h"
 #include "Meshes.h"
 #include "ObjFile.h"
 #include "ReaderGuard.h"
@@ -31,13 +32,17 @@
 #include "vtkXMLStructuredGridReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
 
+#include <nlohmann/json.hpp>
+#include <vtksys/SystemTools.hxx>
+
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <fstream>
+#include <new>
 
 namespace fs = std::filesystem;
 
@@ -59,27 +64,26 @@ std::string GetExtension(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-// What can be known before a reader has a look.
-void CheckFile(const std::string& path)
+// What readers take over from the file as it is, and everything after them trusts.
+void CheckOffsets(vtkCellArray* cells, const std::string& path)
 {
-  std::error_code ignored;
-  if (!fs::exists(path, ignored))
+  if (cells && !cells->IsValid())
   {
-    throw Failure("there is no file " + Quoted(path) + ".");
+    throw Failure(Quoted(path) + " is damaged: its cells are no ranges of its list of corners.");
   }
-  if (fs::is_directory(path, ignored))
+}
+
+void CheckCells(vtkCellArray* cells, vtkIdType points, const std::string& path)
+{
+  CheckOffsets(cells, path);
+  double range[2] = { 0.0, -1.0 };
+  if (cells && cells->GetNumberOfConnectivityIds() > 0)
   {
-    throw Failure(Quoted(path) + " is a folder, not a model.");
+    cells->GetConnectivityArray()->GetRange(range);
   }
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file)
+  if (range[0] < 0.0 || range[1] >= static_cast<double>(points))
   {
-    throw Failure("cannot read " + Quoted(path) + ": " + std::strerror(errno) + ".");
-  }
-  if (file.peek() == std::ifstream::traits_type::eof())
-  {
-    throw Failure(Quoted(path) + " is empty.");
+    throw Failure(Quoted(path) + " is damaged: cells refer to points that it does not have.");
   }
 }
 
@@ -89,6 +93,10 @@ vtkSmartPointer<vtkPolyData> GetSurface(vtkDataObject* data, const std::string& 
 {
   if (auto* polygons = vtkPolyData::SafeDownCast(data))
   {
+    for (vtkCellArray* each : { polygons->GetPolys(), polygons->GetStrips() })
+    {
+      CheckOffsets(each, path);
+    }
     return polygons;
   }
   auto* cells = vtkPointSet::SafeDownCast(data);
@@ -99,16 +107,7 @@ vtkSmartPointer<vtkPolyData> GetSurface(vtkDataObject* data, const std::string& 
   }
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(cells))
   {
-    // The filter trusts these.
-    double range[2] = { 0.0, -1.0 };
-    if (grid->GetCells() && grid->GetCells()->GetNumberOfConnectivityIds() > 0)
-    {
-      grid->GetCells()->GetConnectivityArray()->GetRange(range);
-    }
-    if (range[0] < 0.0 || range[1] >= static_cast<double>(grid->GetNumberOfPoints()))
-    {
-      throw Failure(Quoted(path) + " is damaged: cells refer to points that it does not have.");
-    }
+    CheckCells(grid->GetCells(), grid->GetNumberOfPoints(), path);
   }
   vtkNew<vtkDataSetSurfaceFilter> surface;
   surface->SetInputData(cells);
@@ -129,8 +128,35 @@ vtkSmartPointer<vtkPolyData> ReadSurface(
 }
 
 //------------------------------------------------------------------------------
+// The reader takes what is there of a binary file, however many triangles it says that it has. A count
+// that is too small, or of another sign, is ignored as the reader does: such files are common.
+void CheckLengthOfSTL(const std::string& path)
+{
+  using vtksys::SystemTools;
+  if (SystemTools::DetectFileType(path.c_str()) == SystemTools::FileTypeText)
+  {
+    return; // its form tells
+  }
+  constexpr std::size_t headerSize = 80;
+  constexpr std::size_t triangleSize = 50;
+  unsigned char header[headerSize + 4] = {};
+  std::ifstream(path, std::ios::binary).read(reinterpret_cast<char*>(header), sizeof(header));
+  const unsigned char* bytes = header + headerSize;
+  const auto count = static_cast<std::int32_t>(
+    bytes[0] | bytes[1] << 8 | bytes[2] << 16 | static_cast<std::uint32_t>(bytes[3]) << 24);
+  const auto size = static_cast<std::size_t>(fs::file_size(path));
+  const std::size_t there = size < sizeof(header) ? 0 : (size - sizeof(header)) / triangleSize;
+  if (count > 0 && static_cast<std::size_t>(count) > there)
+  {
+    throw Failure("cannot read " + Quoted(path) + ": it is cut short, with " +
+                  std::to_string(there) + " of its " + std::to_string(count) + " triangles.");
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> ReadSTL(const std::string& path)
 {
+  CheckLengthOfSTL(path);
   vtkNew<vtkSTLReader> reader;
   reader->MergingOff(); // its locator cannot stand points that are not finite; we join them later
   return ReadSurface(reader.Get(), path);
@@ -262,6 +288,42 @@ void Tell(const Meshes::Report& report, const std::string& path, bool left)
       of(report.BadPolygons, " polygon(s) left out that have points that are not there."));
   }
 }
+
+//------------------------------------------------------------------------------
+// Whatever the file does to its reader becomes a Failure that names it.
+Actors ReadGuarded(const std::string& path, Meshes::Report& report)
+{
+  const std::string cannot = "cannot read " + Quoted(path) + ": ";
+  try
+  {
+    ReaderGuard guard(path);
+    const Messages::About about(Quoted(path));
+    const Actors actors = ReadAny(path, report);
+    Messages::Check("cannot read " + Quoted(path));
+    if (!guard.GetPrinted().empty())
+    {
+      throw Failure(cannot + guard.GetPrinted() + ".");
+    }
+    return actors;
+  }
+  catch (const Failure&)
+  {
+    throw;
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw Failure(
+      cannot + "it is damaged, or too large: its reader wants more memory than there is.");
+  }
+  catch (const std::length_error&)
+  {
+    throw Failure(cannot + "it is damaged: it gives a size that nothing can have.");
+  }
+  catch (const std::exception& exception)
+  {
+    throw Failure(cannot + "it is damaged: " + exception.what());
+  }
+}
 }
 
 namespace Models
@@ -275,27 +337,47 @@ std::string GetExtensions()
 //------------------------------------------------------------------------------
 std::vector<vtkSmartPointer<vtkActor>> Read(const std::string& path)
 {
+  Inputs::Check(path);
   const std::string extension = GetExtension(path);
   if (extension.empty() ||
       (", " + GetExtensions() + ",").find(" " + extension.substr(1) + ",") == std::string::npos)
   {
-    CheckFile(path); // what is missing is called missing, whatever its name
     throw Failure(Quoted(path) + " is no model that can be read. Known: " + GetExtensions() + ".");
   }
-  CheckFile(path);
   Meshes::Report report;
-  Actors actors;
-  {
-    ReaderGuard guard(path);
-    actors = ReadAny(path, report);
-    Messages::Check("cannot read " + Quoted(path));
-    if (!guard.GetPrinted().empty())
-    {
-      throw Failure("cannot read " + Quoted(path) + ": " + guard.GetPrinted() + ".");
-    }
-  }
+  const Actors actors = ReadGuarded(path, report);
   Tell(report, path, !actors.empty());
   return actors;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> GetFiles(const std::vector<std::string>& paths)
+{
+  constexpr std::uintmax_t largest = 64 << 20; // a model that refers to its data is small
+  std::vector<std::string> files = paths;
+  for (const std::string& path : paths)
+  {
+    std::error_code failed;
+    if (GetExtension(path) != ".gltf" || !fs::is_regular_file(path, failed) ||
+        fs::file_size(path, failed) > largest || failed)
+    {
+      continue;
+    }
+    std::ifstream file(path, std::ios::binary);
+    const auto model = nlohmann::json::parse(file, nullptr, false);
+    for (const char* kind : { "buffers", "images" })
+    {
+      const auto parts = model.is_object() ? model.value(kind, nlohmann::json()) : nlohmann::json();
+      for (const auto& part : parts)
+      {
+        if (part.is_object() && part.contains("uri") && part["uri"].is_string())
+        {
+          files.push_back((fs::path(path).parent_path() / part["uri"].get<std::string>()).string());
+        }
+      }
+    }
+  }
+  return files;
 }
 
 //------------------------------------------------------------------------------

@@ -24,6 +24,9 @@ std::string GetExtensions();
  */
 std::vector<vtkSmartPointer<vtkActor>> Read(const std::string& path);
 
+/** All files that reading these takes: themselves, and what a glTF model refers to. */
+std::vector<std::string> GetFiles(const std::vector<std::string>& paths);
+
 /** An actor for a mesh: neutral grey, or its own colours where it has bytes of RGB. */
 vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* mesh);
 }

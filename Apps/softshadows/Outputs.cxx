@@ -12,9 +12,12 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <fcntl.h>
 #include <fstream>
+#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -33,12 +36,26 @@ std::string CannotWrite(const std::string& name, const std::string& reason)
   return "cannot write \"" + name + "\": " + reason + ".";
 }
 
-/** Where a file really goes: a link keeps pointing to what it points to. */
+/** Where a file or folder really goes: a link keeps pointing to what it points to. */
 fs::path Resolve(const std::string& name)
 {
   std::error_code failed;
   const fs::path path = fs::weakly_canonical(fs::absolute(name, failed), failed);
   return failed ? fs::path(name) : path;
+}
+
+/** Whether a name leads to where standard output or standard error goes, such as /dev/stdout. */
+bool IsStandardStream(const std::string& name)
+{
+  struct stat there;
+  const bool exists = stat(name.c_str(), &there) == 0;
+  const auto goesThere = [&there](int descriptor)
+  {
+    struct stat stream;
+    return fstat(descriptor, &stream) == 0 && stream.st_dev == there.st_dev &&
+           stream.st_ino == there.st_ino;
+  };
+  return exists && (goesThere(STDOUT_FILENO) || goesThere(STDERR_FILENO));
 }
 
 void CheckFolder(const std::string& name, const fs::path& folder)
@@ -64,6 +81,22 @@ void WriteText(const fs::path& temporary, const std::string& name, const std::st
   if (!file)
   {
     throw Failure(CannotWrite(name, errno ? std::strerror(errno) : "it could not be completed"));
+  }
+}
+
+// Some file systems tell only then that there is no room.
+void BringToDisk(const fs::path& temporary, const std::string& name)
+{
+  const int file = open(temporary.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool failed = file == -1 || (fsync(file) != 0 && errno != EINVAL && errno != ENOSYS);
+  const int reason = errno;
+  if (file != -1)
+  {
+    close(file);
+  }
+  if (failed)
+  {
+    throw Failure(CannotWrite(name, std::strerror(reason)));
   }
 }
 }
@@ -107,7 +140,10 @@ private:
 };
 
 //------------------------------------------------------------------------------
-Outputs::Outputs() = default;
+Outputs::Outputs(std::vector<std::string> inputs)
+  : Inputs(std::move(inputs))
+{
+}
 
 //------------------------------------------------------------------------------
 Outputs::~Outputs()
@@ -158,9 +194,32 @@ fs::path Outputs::GetTemporary(const fs::path& final)
 }
 
 //------------------------------------------------------------------------------
+// Where a file goes, unless something is there that must stay.
+fs::path Outputs::GetPlace(const std::string& name) const
+{
+  std::error_code ignored;
+  if (std::any_of(this->Inputs.begin(), this->Inputs.end(),
+        [&](const std::string& input) { return fs::equivalent(name, input, ignored); }))
+  {
+    throw WrongUsage("\"" + name + "\" is an input, which would be overwritten.");
+  }
+  if (IsStandardStream(name))
+  {
+    throw Failure(CannotWrite(name, "what is printed goes there (--json prints the figures)"));
+  }
+  const fs::file_status there = fs::status(name, ignored);
+  if (fs::exists(there) && !fs::is_regular_file(there))
+  {
+    throw Failure(
+      CannotWrite(name, fs::is_directory(there) ? "it is a folder" : "it is no regular file"));
+  }
+  return Resolve(name);
+}
+
+//------------------------------------------------------------------------------
 fs::path Outputs::PlanFile(const std::string& name)
 {
-  const fs::path path = Resolve(name);
+  const fs::path path = this->GetPlace(name);
   std::error_code ignored;
   if (name.empty() || !path.has_filename())
   {
@@ -171,11 +230,6 @@ fs::path Outputs::PlanFile(const std::string& name)
     throw WrongUsage("\"" + name + "\" is to be written twice.");
   }
   const fs::file_status there = fs::status(path, ignored);
-  if (fs::exists(there) && !fs::is_regular_file(there))
-  {
-    throw Failure(
-      CannotWrite(name, fs::is_directory(there) ? "it is a folder" : "it is no regular file"));
-  }
   constexpr fs::perms writable =
     fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
   if (fs::exists(there) &&
@@ -227,7 +281,8 @@ void Outputs::PlanText(const std::string& name)
 //------------------------------------------------------------------------------
 void Outputs::PlanFolder(const std::string& name)
 {
-  const fs::path path = Resolve(name);
+  fs::path path = Resolve(name);
+  path = path.has_filename() ? path : path.parent_path(); // "new/" is "new"
   std::error_code ignored;
   if (fs::exists(path, ignored) && !fs::is_directory(path, ignored))
   {
@@ -267,21 +322,23 @@ void Outputs::WritePicture(const fs::path& temporary, const std::string& name, v
 void Outputs::StagePicture(const std::string& name, vtkImageData* image)
 {
   this->Guard();
-  const fs::path path = Resolve(name);
+  const fs::path path = this->GetPlace(name);
   this->MakeFolder(path.parent_path());
   const fs::path temporary = this->GetTemporary(path);
   this->WritePicture(temporary, name, image);
   this->Files.push_back({ temporary, path, name });
+  BringToDisk(temporary, name);
 }
 
 //------------------------------------------------------------------------------
 void Outputs::StageText(const std::string& name, const std::string& text)
 {
   this->Guard();
-  const fs::path path = Resolve(name);
+  const fs::path path = this->GetPlace(name);
   this->MakeFolder(path.parent_path());
   this->Files.push_back({ this->GetTemporary(path), path, name });
   WriteText(this->Files.back().Temporary, name, text);
+  BringToDisk(this->Files.back().Temporary, name);
 }
 
 //------------------------------------------------------------------------------

@@ -12,14 +12,15 @@
 class vtkImageData;
 
 /**
- * Each file is planned before the work starts, which finds out what would keep it from being written;
+ * No input is ever written to, nor what standard output goes to. Each file is planned before the work starts, which finds out what would keep it from being written;
  * staged under a temporary name beside its place; and put into its place by Commit. What was staged
  * and not committed is removed, also where the user interrupts the command.
  */
 class Outputs
 {
 public:
-  Outputs();
+  /** The inputs: what the command reads. */
+  explicit Outputs(std::vector<std::string> inputs);
   ~Outputs();
   Outputs(const Outputs&) = delete;
   void operator=(const Outputs&) = delete;
@@ -27,7 +28,7 @@ public:
   ///@{
   /**
    * Find out whether a file can be written: throw Failure if not, and WrongUsage if it was planned
-   * before. A picture's format follows from its extension.
+   * before or is an input. A picture's format follows from its extension.
    */
   void PlanPicture(const std::string& path, int components);
   void PlanText(const std::string& path);
@@ -36,7 +37,7 @@ public:
   ///@}
 
   ///@{
-  /** Write a file under a temporary name; throw Failure if that cannot be done. */
+  /** Write a file to disk under a temporary name; throw Failure if that cannot be done. */
   void StagePicture(const std::string& path, vtkImageData* image);
   void StageText(const std::string& path, const std::string& text);
   ///@}
@@ -53,6 +54,7 @@ private:
   };
   class SignalGuard;
 
+  std::filesystem::path GetPlace(const std::string& name) const;
   std::filesystem::path PlanFile(const std::string& path);
   std::filesystem::path GetTemporary(const std::filesystem::path& final);
   void WritePicture(
@@ -60,6 +62,7 @@ private:
   void Guard();
   void MakeFolder(const std::filesystem::path& folder);
 
+  std::vector<std::string> Inputs;
   std::vector<std::filesystem::path> Planned;
   std::vector<Staged> Files;
   std::vector<std::filesystem::path> MadeFolders; // the outer ones first

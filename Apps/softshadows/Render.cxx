@@ -2,9 +2,11 @@
 #include "Render.h"
 
 #include "Errors.h"
+#include "Models.h"
 #include "OffscreenWindow.h"
 #include "Outputs.h"
 #include "SceneOptions.h"
+#include "StandardOutput.h"
 #include "Statistics.h"
 #include "Techniques.h"
 
@@ -19,7 +21,6 @@
 #include <CLI/Formatter.hpp>
 
 #include <cstdio>
-#include <iostream>
 #include <memory>
 
 namespace
@@ -87,7 +88,7 @@ void MakeCatcher(OffscreenWindow& window)
   }
   if (!found)
   {
-    throw Failure("--shadow-catcher: there is no ground; put one there with --ground.");
+    throw WrongUsage("--shadow-catcher: there is no ground; put one there with --ground.");
   }
   window.MakeTransparent();
 }
@@ -113,14 +114,13 @@ double Draw(OffscreenWindow& window, int frames)
 //------------------------------------------------------------------------------
 void Render(const RenderOptions& options)
 {
-  options.Scene.Check();
-  if (options.Frames < 1 || options.Frames > 10000)
-  {
-    throw Failure("--frames is from 1 to 10000, not " + std::to_string(options.Frames) + ".");
-  }
-  const auto pass = MakePass(options);
-
-  Outputs outputs;
+  const auto pass = JudgeUsage(
+    [&options]
+    {
+      options.Scene.Check();
+      return MakePass(options);
+    });
+  Outputs outputs(Models::GetFiles(options.Scene.Models));
   outputs.PlanPicture(options.Picture, options.ShadowCatcher ? 4 : 3);
   if (!options.Visibility.empty())
   {
@@ -159,7 +159,7 @@ void Render(const RenderOptions& options)
   statistics["pass"] = pass ? Json::parse(pass->GetStatistics()) : Json();
   if (!options.Statistics.empty())
   {
-    outputs.StageText(options.Statistics, statistics.dump(2) + "\n");
+    outputs.StageText(options.Statistics, StandardOutput::GetText(statistics));
   }
   Messages::Check();
   outputs.Commit();
@@ -167,7 +167,7 @@ void Render(const RenderOptions& options)
   Messages::ShowWarnings();
   if (options.AsJson)
   {
-    std::cout << statistics.dump(2) << std::endl;
+    StandardOutput::Print(statistics);
     return;
   }
   const std::string how = options.Frames == 1
@@ -175,7 +175,7 @@ void Render(const RenderOptions& options)
                             : "median of " + std::to_string(options.Frames) + " frames";
   std::printf("%s: %lld triangles, %dx%d, %.1f ms (%s), written to %s\n", options.Technique.c_str(),
     static_cast<long long>(scene.Triangles), options.Scene.Size[0], options.Scene.Size[1], time,
-    how.c_str(), options.Picture.c_str());
+    how.c_str(), Messages::GetPrintable(options.Picture).c_str());
 }
 }
 
@@ -213,7 +213,9 @@ void DeclareRender(CLI::App& app)
   command
     ->add_option("--frames", options->Frames,
       "Draw once (default), or give the median time of N frames after a first one")
-    ->type_name("N");
+    ->type_name("N")
+    ->check(CLI::Range(1, 10000));
   command->add_flag("--json", options->AsJson, "Print the figures as JSON");
-  command->callback([options] { Render(*options); });
+  command->callback(
+    [options] { WithinMemory(options->Scene.Size, [options] { Render(*options); }); });
 }

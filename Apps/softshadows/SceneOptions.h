@@ -4,11 +4,14 @@
 #ifndef SceneOptions_h
 #define SceneOptions_h
 
+#include "Errors.h"
+
 #include "vtkType.h"
 
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <new>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,6 +72,21 @@ struct SceneOptions
   /** Set up the renderer; what needs to be said is left with Messages. */
   Scene Build(vtkRenderer* renderer) const;
 };
+
+/** Do work; where memory is at its end, a Failure tells the size of the picture that it was for. */
+template <typename Function>
+void WithinMemory(const std::array<int, 2>& size, Function function)
+{
+  try
+  {
+    function();
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw Failure("out of memory, for a picture of --size " + std::to_string(size[0]) + "x" +
+                  std::to_string(size[1]) + ".");
+  }
+}
 
 /** A light's shape in the words of the command line: point, sphere, disk, rectangle, directional. */
 std::string GetShapeName(vtkAreaLight* light);

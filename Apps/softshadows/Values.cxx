@@ -73,6 +73,24 @@ CLI::Option* AddTriple(CLI::App& command, const std::string& name,
 }
 
 //------------------------------------------------------------------------------
+CLI::Option* AddNumber(CLI::App& command, const std::string& name, std::optional<double>& value,
+  const std::array<double, 2>& range, const std::string& meaning)
+{
+  const auto parse = [name, range, &value](const std::string& text)
+  {
+    double number = 0.0;
+    if (!ParseNumber(text, number) || number < range[0] || number > range[1])
+    {
+      throw CLI::ValidationError(name, "\"" + text + "\" is no number from " +
+                                         vtkShadowNumber::Print(range[0]) + " to " +
+                                         vtkShadowNumber::Print(range[1]));
+    }
+    value = number;
+  };
+  return command.add_option_function<std::string>(name, parse, meaning);
+}
+
+//------------------------------------------------------------------------------
 CLI::Option* AddSize(
   CLI::App& command, const std::string& name, std::array<int, 2>& value, const std::string& meaning)
 {

@@ -21,6 +21,10 @@ namespace Values
 CLI::Option* AddTriple(CLI::App& command, const std::string& name,
   std::optional<std::array<double, 3>>& value, const std::string& form, const std::string& meaning);
 
+/** An option of a finite number from the range's first to its second. */
+CLI::Option* AddNumber(CLI::App& command, const std::string& name, std::optional<double>& value,
+  const std::array<double, 2>& range, const std::string& meaning);
+
 /** An option of a size, "900x700". */
 CLI::Option* AddSize(CLI::App& command, const std::string& name, std::array<int, 2>& value,
   const std::string& meaning);

@@ -7,6 +7,7 @@
 #include "Errors.h"
 #include "List.h"
 #include "Render.h"
+#include "StandardOutput.h"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -46,11 +48,26 @@ std::string JoinWords(int argc, char* argv[])
   }
   return line;
 }
+
+// What is given is given: nothing stands for "not given".
+void RefuseEmptyValues(CLI::App& app)
+{
+  const auto check = [](const std::string& value)
+  { return value.empty() ? std::string("its value is empty") : std::string(); };
+  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; }))
+  {
+    for (CLI::Option* option : command->get_options())
+    {
+      if (option->get_items_expected_max() > 0)
+      {
+        option->check(check, "", "not empty");
+      }
+    }
+  }
 }
 
-int main(int argc, char* argv[])
+int Run(int argc, char* argv[])
 {
-  Messages::Install();
   CLI::App app(
     "Soft shadows for VTK: draw models and scenes, and measure the techniques.", "softshadows");
   app.set_version_flag("--version", "softshadows " SOFTSHADOWS_VERSION);
@@ -60,6 +77,7 @@ int main(int argc, char* argv[])
   DeclareRender(app);
   DeclareCompare(app);
   DeclareBench(app, JoinWords(argc, argv));
+  RefuseEmptyValues(app);
 
   try
   {
@@ -104,4 +122,15 @@ int main(int argc, char* argv[])
     return Fail(exception.what(), 1);
   }
   return 0;
+}
+}
+
+int main(int argc, char* argv[])
+{
+  StandardOutput::Reserve();
+  std::signal(SIGXFSZ, SIG_IGN); // a file that becomes too large is an error like a full disk
+  Messages::Install();
+  const int code = Run(argc, argv);
+  const std::string lost = StandardOutput::Finish();
+  return code != 0 || lost.empty() ? code : Fail("cannot write to standard output: " + lost, 1);
 }

@@ -1,11 +1,45 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The visibility of the last frame, for whoever asks a vtkShadowPass for it.
 
+#include "vtkCuller.h"
+#include "vtkCullerCollection.h"
 #include "vtkOpenGLState.h"
 #include "vtkPropCollection.h"
 #include "vtkShadowPassInternals.h"
 
 #include <algorithm>
+#include <vector>
+
+namespace
+{
+//------------------------------------------------------------------------------
+// The props that a frame of the renderer would draw: visible, and not taken out by its cullers, which
+// take out what has no bounds, such as a prop whose mapper has no input.
+std::vector<vtkProp*> GetDrawnProps(vtkRenderer* renderer)
+{
+  std::vector<vtkProp*> drawn;
+  vtkCollectionSimpleIterator cookie;
+  vtkPropCollection* props = renderer->GetViewProps();
+  props->InitTraversal(cookie);
+  while (vtkProp* prop = props->GetNextProp(cookie))
+  {
+    if (prop->GetVisibility())
+    {
+      drawn.push_back(prop);
+    }
+  }
+  int count = static_cast<int>(drawn.size());
+  int initialized = 0;
+  vtkCullerCollection* cullers = renderer->GetCullers();
+  cullers->InitTraversal(cookie);
+  while (vtkCuller* culler = count > 0 ? cullers->GetNextCuller(cookie) : nullptr)
+  {
+    culler->Cull(renderer, drawn.data(), count, initialized);
+  }
+  drawn.resize(count);
+  return drawn;
+}
+}
 
 //------------------------------------------------------------------------------
 vtkImageData* vtkShadowPass::GetVisibility(vtkLight* light)
@@ -72,17 +106,8 @@ bool vtkShadowPass::UpdateVisibility()
   if (!screen.Valid || my.HasCatchers)
   {
     // Of what is in the renderer now, whatever the frame showed.
-    my.Props.clear();
-    vtkCollectionSimpleIterator cookie;
-    vtkPropCollection* props = my.At.Renderer->GetViewProps();
-    props->InitTraversal(cookie);
-    while (vtkProp* prop = props->GetNextProp(cookie))
-    {
-      if (prop->GetVisibility())
-      {
-        my.Props.emplace_back(prop);
-      }
-    }
+    const auto drawn = GetDrawnProps(my.At.Renderer);
+    my.Props.assign(drawn.begin(), drawn.end());
     vtkOpenGLState* state = my.At.Window->GetState();
     state->Push();
     my.ReleaseRetired(my.At.Window);

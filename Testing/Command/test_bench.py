@@ -448,13 +448,13 @@ class Ends(BenchTest):
         scene = ["bench", "--scene", "blocker", *SMALL]
         out = ["-o", "out"]
         for code, words, arguments in (
-                (1, ["nonsense", "thesis"], ["bench", "--suite", "nonsense"]),
-                (1, ["nonsense", "map-hard"], [*scene, "--techniques", "nonsense"]),
-                (1, ["samples", "many"], [*scene, "--sweep", "map-pcss:samples=8,many"]),
-                (1, ["samples", "-3"], [*scene, "--sweep", "map-pcss:samples=-3"]),
+                (2, ["nonsense", "thesis"], ["bench", "--suite", "nonsense"]),
+                (2, ["nonsense", "map-hard"], [*scene, "--techniques", "nonsense"]),
+                (2, ["samples", "many"], [*scene, "--sweep", "map-pcss:samples=8,many"]),
+                (2, ["samples", "-3"], [*scene, "--sweep", "map-pcss:samples=-3"]),
                 (2, ["--sweep", "samples"], [*scene, "--sweep", "samples"]),
-                (1, ["nonsense"], [*scene, "--sweep", "nonsense=1"]),
-                (1, ["nonsense"], [*scene, "--sweep", "map-pcss:nonsense=1"]),
+                (2, ["nonsense"], [*scene, "--sweep", "nonsense=1"]),
+                (2, ["nonsense"], [*scene, "--sweep", "map-pcss:nonsense=1"]),
                 (2, ["--budget"], [*scene, "--budget", "0"]),
                 (2, ["--frames"], [*scene, "--frames", "0"]),
                 (2, ["--lights", "-1"], [*scene, "--lights", "1,-1"]),

@@ -43,7 +43,7 @@ class HelpAndList(CommandTest):
         self.expect_failure(2, ["subcommand"])
         self.expect_failure(2, ["nonsense"], "nonsense")
         self.expect_failure(2, ["--nonsense"], "list", "--nonsense")
-        self.expect_failure(1, ["nonsense", "techniques"], "list", "nonsense")
+        self.expect_failure(2, ["nonsense", "techniques"], "list", "nonsense")
 
 
 class Render(CommandTest):
@@ -131,7 +131,7 @@ class Render(CommandTest):
         self.assertGreater((alpha == 255).mean(), 0.05)  # the model, and a hard shadow
         # At a hard shadow's edge alone, which is filtered over a texel.
         self.assertLess(((alpha > 0) & (alpha < 255)).mean(), 0.005)
-        self.expect_failure(1, ["--ground"], "render", model, "-o", "a.png", "--shadow-catcher")
+        self.expect_failure(2, ["--ground"], "render", model, "-o", "a.png", "--shadow-catcher")
         self.expect_failure(2, ["--shadow-catcher"], "render", model, "--ground", "-o", "a.png",
                             "--technique", "none", "--shadow-catcher")
 
@@ -221,10 +221,10 @@ class Failures(CommandTest):
                 (["--up", "'w'"], ["--up", "w"]), (["--background"], ["--background", "2,0,0"]),
                 (["--samples-per-pixel"], ["--samples-per-pixel", "9"]),
                 (["--frames"], ["--frames", "0"])):
-            self.expect_failure(1, words, "render", model, "-o", "out.png", *arguments)
-        self.refuse(1, ["nonsense", "blocker"], "--scene", "nonsense")
-        self.refuse(1, ["bunny", "triangles"], "--scene", "bunny", "--triangles", "5")
-        self.refuse(1, ["plant", "2000000"], "--scene", "plant", "--triangles", "5")
+            self.expect_failure(2, words, "render", model, "-o", "out.png", *arguments)
+        self.refuse(2, ["nonsense", "blocker"], "--scene", "nonsense")
+        self.refuse(2, ["bunny", "triangles"], "--scene", "bunny", "--triangles", "5")
+        self.refuse(2, ["plant", "2000000"], "--scene", "plant", "--triangles", "5")
 
     def test_usage(self):
         model = self.write("a.obj", models.obj())
@@ -330,15 +330,15 @@ class Compare(CommandTest):
 
     def test_failures(self):
         scene = ["compare", "--scene", "blocker"]
-        self.expect_failure(1, ["nonsense"], *scene, "--techniques", "nonsense")
-        self.expect_failure(1, ["nonsense"], *scene, "--set", "nonsense=1")
-        self.expect_failure(1, ["map-soft"], *scene, "--techniques", "map-hard",
+        self.expect_failure(2, ["nonsense"], *scene, "--techniques", "nonsense")
+        self.expect_failure(2, ["nonsense"], *scene, "--set", "nonsense=1")
+        self.expect_failure(2, ["map-soft"], *scene, "--techniques", "map-hard",
                   "--set", "map-soft:samples=4")
         self.expect_failure(1, ["none/out"], *scene, "-o", "none/out")
-        self.expect_failure(1, ["--frames"], *scene, "--frames", "0")
+        self.expect_failure(2, ["--frames"], *scene, "--frames", "0")
         self.expect_failure(2, ["nothing to draw"], "compare")
         if self.has_reference():
-            self.expect_failure(1, ["--reference-samples"], *scene, "--reference-samples", "0")
+            self.expect_failure(2, ["--reference-samples"], *scene, "--reference-samples", "0")
 
     def test_pictures(self):
         scene = ["render", "--scene", "blocker"]

@@ -5,9 +5,9 @@ import json
 
 import numpy as np
 
-from vtkmodules.vtkRenderingCore import vtkLight
+from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper
 
-from shadow_testing import SIZE, Scene, TestCase, array, create, describe, has_parameter, main, \
+from shadow_testing import SIZE, Scene, Stage, TestCase, array, create, describe, has_parameter, main, \
     meet, receivers, statistics, technique_names, visibility, vss
 
 # RMSE of visibility over the floor's pixels that a technique may have. Exact ones are off by the
@@ -149,6 +149,26 @@ class Visibility(TestCase):
             self.assertIn("0 to 1", self.errors())
             self.assertIsNone(shadows.GetVisibility(vtkLight()))
             self.assertIn("not in the renderer", self.errors())
+
+    def test_of_what_a_frame_draws(self):
+        # A mapper without input has no bounds: VTK draws nothing of it, and says nothing.
+        stage = Stage()
+        stage.add_floor()
+        stage.add_things()
+        stage.add_light()
+        stage.look_at((3, -6, 4))
+        empty = vtkActor()
+        empty.SetMapper(vtkPolyDataMapper())
+        for name in technique_names():
+            with self.subTest(technique=name):
+                shadows = create(name)
+                stage.render(shadows)
+                without = visibility(shadows)
+                stage.renderer.AddActor(empty)
+                stage.render(shadows)
+                np.testing.assert_array_equal(visibility(shadows), without)
+                self.assertEqual(self.errors(), "")
+                stage.renderer.RemoveActor(empty)
 
     def test_evaluations_agree(self):
         for name in technique_names():

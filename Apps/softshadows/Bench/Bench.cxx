@@ -6,6 +6,7 @@
 #include "BenchResults.h"
 #include "Errors.h"
 #include "Interruption.h"
+#include "Models.h"
 #include "Outputs.h"
 #include "Values.h"
 
@@ -17,7 +18,6 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
-#include <new>
 #include <optional>
 #include <set>
 
@@ -73,6 +73,7 @@ void UseScene(BenchPlan& plan, const BenchOptions& options, const CLI::App& comm
     one.Id += (one.Id.empty() ? "" : " ") + model;
   }
   plan.Cases.clear();
+  plan.CasesFromSuite = false;
   const auto scales =
     options.Lights.empty() ? std::vector<double>{ 1.0 } : ParseLights(options.Lights);
   for (std::size_t i = 0; i < scales.size(); ++i)
@@ -127,7 +128,7 @@ std::vector<BenchPlan> MakePlans(const BenchOptions& options, const CLI::App& co
     }
     if (needsScene)
     {
-      options.Scene.Check();
+      JudgeUsage([&options] { options.Scene.Check(); });
       UseScene(plan, options, command);
     }
     else
@@ -146,7 +147,7 @@ std::vector<BenchPlan> MakePlans(const BenchOptions& options, const CLI::App& co
     {
       throw WrongUsage("--suite: two suites are named " + plan.Name + ".");
     }
-    Override(plan, options);
+    JudgeUsage([&] { Override(plan, options); });
   }
   return plans;
 }
@@ -159,28 +160,38 @@ void Measure(
   const BenchCase& one = plan.Cases[i];
   try
   {
-    BenchMeasure measure(plan, one);
-    Messages::ShowWarnings();
-    measure.Run(seconds, later,
-      plan.Name + " " + std::to_string(i + 1) + " of " + std::to_string(plan.Cases.size()) + ", " +
-        one.Id);
-    results.Add(measure);
-    results.PrintTable();
+    WithinMemory(one.Scene.Size,
+      [&]
+      {
+        BenchMeasure measure(plan, one);
+        Messages::ShowWarnings();
+        measure.Run(seconds, later,
+          plan.Name + " " + std::to_string(i + 1) + " of " + std::to_string(plan.Cases.size()) +
+            ", " + one.Id);
+        results.Add(measure);
+        results.PrintTable();
+      });
   }
   catch (const Failure& failure)
   {
     results.AddFailure(one.Id, failure.what());
   }
-  catch (const std::bad_alloc&)
+  catch (const WrongUsage& wrong)
   {
-    results.AddFailure(one.Id, "out of memory");
+    if (!plan.CasesFromSuite)
+    {
+      throw;
+    }
+    results.AddFailure(one.Id, wrong.what());
   }
+  Messages::TakeError(); // what else was said of this case is none of the next one's
 }
 
 //------------------------------------------------------------------------------
 // A suite is handed over when it is done, or as far as it came. Gives what kept a case from being
 // measured, or "".
-std::string Run(const BenchPlan& plan, const std::string& folder, const std::string& commandLine)
+std::string Run(const BenchPlan& plan, const std::string& folder,
+  const std::vector<std::string>& inputs, const std::string& commandLine)
 {
   const Interruption interruption;
   BenchResults results(plan, commandLine);
@@ -207,7 +218,7 @@ std::string Run(const BenchPlan& plan, const std::string& folder, const std::str
   if (!folder.empty())
   {
     const auto files = results.GetFiles();
-    Outputs outputs;
+    Outputs outputs(inputs);
     for (const auto& file : files)
     {
       outputs.StageText(folder + "/" + file.first, file.second);
@@ -219,13 +230,14 @@ std::string Run(const BenchPlan& plan, const std::string& folder, const std::str
 
 //------------------------------------------------------------------------------
 // Find out now what would keep the files from being written.
-void PlanOutputs(const std::string& output, const std::vector<std::string>& folders)
+void PlanOutputs(const std::string& output, const std::vector<std::string>& folders,
+  const std::vector<std::string>& inputs)
 {
   if (output.empty())
   {
     return;
   }
-  Outputs outputs;
+  Outputs outputs(inputs);
   outputs.PlanFolder(output);
   for (const std::string& folder : folders)
   {
@@ -252,11 +264,16 @@ void Bench(const CLI::App& command, const BenchOptions& options, const std::stri
     const bool several = plans.size() > 1 && !options.Output.empty();
     folders.push_back(several ? options.Output + "/" + plan.Name : options.Output);
   }
-  PlanOutputs(options.Output, folders);
+  std::vector<std::string> inputs = Models::GetFiles(options.Scene.Models);
+  for (const std::string& suite : Values::Split(options.Suites))
+  {
+    inputs.push_back(suite); // or its name, which no file has
+  }
+  PlanOutputs(options.Output, folders, inputs);
   std::string failure;
   for (std::size_t i = 0; i < plans.size(); ++i)
   {
-    const std::string reason = Run(plans[i], folders[i], commandLine);
+    const std::string reason = Run(plans[i], folders[i], inputs, commandLine);
     failure = failure.empty() ? reason : failure;
     if (Interruption::IsAsked())
     {
@@ -308,11 +325,9 @@ void DeclareBench(CLI::App& app, const std::string& commandLine)
     ->type_name("NAME=V,W,...")
     ->allow_extra_args(false)
     ->group("Technique");
-  command
-    ->add_option("--budget", options->Budget,
-      "Seconds that all of it shall take, of each suite (default 100, or the suite's)")
-    ->type_name("SECONDS")
-    ->check(CLI::Range(1.0, 1e6));
+  Values::AddNumber(*command, "--budget", options->Budget, { 1.0, 1e6 },
+    "Seconds that all of it shall take, of each suite (default 100, or the suite's)")
+    ->type_name("SECONDS");
   command->add_option("--frames", options->Frames, "Frames that a median wants (default 15)")
     ->type_name("N")
     ->check(CLI::Range(1, 10000));

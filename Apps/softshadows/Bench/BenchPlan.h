@@ -66,6 +66,7 @@ struct BenchPlan
   std::string Title;
   std::string About;
   std::vector<BenchCase> Cases;
+  bool CasesFromSuite = true;      // not from the command line
   BenchCase Default;               // what a scene of the user's own takes from the plan
   std::vector<BenchEntry> Entries; // the first draws no shadows
   int Frames = 15;                 // wanted for each median
@@ -83,7 +84,10 @@ extern const char* const VTKPeer;
 /** The built-in suites, by name. */
 std::vector<std::string> GetSuites();
 
-/** A built-in suite, or a file of that form; Failure that names the file and the field. */
+/**
+ * A built-in suite, or a file of that form; WrongUsage where there is none, Failure that names the file
+ * and the field for what is wrong with it.
+ */
 BenchPlan Load(const std::string& nameOrFile);
 
 /** Keep these techniques' entries alone; one that has none is added as it is by default. */

@@ -4,6 +4,7 @@
 #include "BenchAnalysis.h"
 #include "BenchLibraries.h"
 #include "BenchMeasure.h"
+#include "Errors.h"
 
 #include "vtkDelimitedTextWriter.h"
 #include "vtkNew.h"
@@ -199,7 +200,8 @@ void BenchResults::PrintTable() const
 {
   const auto& one = this->Json["cases"].back();
   const std::string noise = GetCell(one, "/reference/noise/rmse");
-  std::printf("%s: %s triangles, %sx%s, %s\n", one["id"].get<std::string>().c_str(),
+  std::printf("%s: %s triangles, %sx%s, %s\n",
+    Messages::GetPrintable(one["id"].get<std::string>()).c_str(),
     one["scene"]["triangles"].dump().c_str(), one["size"][0].dump().c_str(),
     one["size"][1].dump().c_str(),
     noise.empty() ? "errors are not measured"
@@ -219,7 +221,7 @@ void BenchResults::PrintTable() const
   };
   for (const auto& entry : one["entries"])
   {
-    std::printf("%-34s ", entry["id"].get<std::string>().c_str());
+    std::printf("%-34s ", Messages::GetPrintable(entry["id"].get<std::string>()).c_str());
     if (entry.contains("skipped"))
     {
       std::printf("not measured: %s\n", entry["skipped"].get<std::string>().c_str());

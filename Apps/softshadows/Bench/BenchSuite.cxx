@@ -6,6 +6,9 @@
 #include "BenchSuiteSchema.h"
 #include "BenchSuites.h"
 #include "Errors.h"
+#include "Inputs.h"
+
+#include "vtkShadowScenes.h"
 
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
@@ -13,23 +16,101 @@
 #include <valijson/validator.hpp>
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 namespace
 {
 using Json = nlohmann::ordered_json;
 
-std::string ReadFile(const std::string& path)
+constexpr unsigned long long LargestFile = 16 << 20;
+constexpr std::size_t MostEntries = 10000;
+
+//------------------------------------------------------------------------------
+// The part of the form that a field has to have.
+Json FindForm(const Json& form, const std::vector<std::string>& path)
 {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file || std::filesystem::is_directory(path))
+  const auto resolve = [&form](Json part)
   {
-    throw Failure("cannot read the suite \"" + path + "\".");
+    while (part.contains("$ref"))
+    {
+      part = form[Json::json_pointer(part["$ref"].get<std::string>().substr(1))];
+    }
+    return part;
+  };
+  Json part = form;
+  for (const std::string& name : path)
+  {
+    const Json none = Json::object();
+    const Json fields = part.value("properties", none);
+    const Json others = part.value("additionalProperties", none);
+    const Json outer = part;
+    part = resolve(fields.contains(name)    ? fields[name]
+                   : part.contains("items") ? part["items"]
+                   : others.is_object()     ? others
+                                            : none);
+    if (!part.contains("description"))
+    {
+      part["description"] = outer.value("description", ""); // items are what the list is of
+    }
   }
-  return text.str();
+  return part;
+}
+
+// The words between others, "a, b or c".
+std::string List(const Json& words, const char* last = " or ")
+{
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+  {
+    const char* const between = i + 1 == words.size() ? last : ", ";
+    text += (i == 0 ? "" : between) +
+            (words[i].is_string() ? words[i].get<std::string>() : words[i].dump());
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+// What is wrong, in words of the suite instead of those of the form.
+std::string Explain(const std::string& reason, const Json& form)
+{
+  const auto says = [&reason](const char* words)
+  { return reason.find(words) != std::string::npos; };
+  std::string text = reason.substr(0, reason.find_last_not_of(" .") + 1);
+  if (says("'type' constraint") && form.contains("type"))
+  {
+    const Json& type = form["type"];
+    text = "is no " + List(type.is_array() ? type : Json::array({ type }));
+  }
+  else if (says("enum") && form.contains("enum"))
+  {
+    text = "is none of " + List(form["enum"]);
+  }
+  else if (says("pattern") && form.contains("pattern"))
+  {
+    text = "has not its form";
+  }
+  else if (form.contains("oneOf") && says("child schema"))
+  {
+    Json names = Json::array();
+    for (const Json& one : form["oneOf"])
+    {
+      names.push_back(one["required"][0]);
+    }
+    text = "names just one of " + List(names);
+  }
+  else if (says("'properties' or 'additionalProperties'"))
+  {
+    Json names = Json::array();
+    const Json fields = form.value("properties", Json::object());
+    for (const auto& field : fields.items())
+    {
+      names.push_back(field.key());
+    }
+    const std::size_t name = reason.find('\'', reason.rfind(": "));
+    return "has no field " + reason.substr(name, reason.rfind('\'') + 1 - name) + ", but " +
+           List(names, " and ") + ".";
+  }
+  const std::string meaning = form.value("description", "");
+  return text + "." + (meaning.empty() ? "" : " It is: " + meaning);
 }
 
 //------------------------------------------------------------------------------
@@ -57,12 +138,15 @@ void Validate(const std::string& text, const std::string& file)
     }
   }
   std::string path;
+  std::vector<std::string> names;
   for (std::size_t i = 1; i < deepest.context.size(); ++i)
   {
-    path += deepest.context[i];
+    const std::string& name = deepest.context[i]; // "[name]"
+    path += name;
+    names.push_back(name.substr(1, name.size() - 2));
   }
-  throw Failure(
-    "suite \"" + file + "\"" + (path.empty() ? "" : ", " + path) + ": " + deepest.description);
+  throw Failure("suite \"" + file + "\"" + (path.empty() ? "" : ", " + path) + ": " +
+                Explain(deepest.description, FindForm(Json::parse(BenchSuiteSchema), names)));
 }
 
 std::string GetText(const Json& value)
@@ -154,6 +238,11 @@ std::vector<BenchEntry> ReadEntries(const Json& json)
     {
       for (const Json& value : values)
       {
+        if (multiplied.size() == MostEntries)
+        {
+          throw Failure("the sweep of " + entry.Technique + " has more than " +
+                        std::to_string(MostEntries) + " combinations.");
+        }
         multiplied.push_back(one);
         multiplied.back().Values.emplace_back(name, GetText(value));
         if (!entry.Label.empty())
@@ -165,6 +254,54 @@ std::vector<BenchEntry> ReadEntries(const Json& json)
     entries = multiplied;
   }
   return entries;
+}
+//------------------------------------------------------------------------------
+BenchPlan ReadPlan(const Json& suite, const std::string& name, const std::string& file)
+{
+  BenchPlan plan;
+  plan.Name = name;
+  plan.Title = suite["title"].get<std::string>();
+  plan.About = suite.value("about", "");
+  plan.Frames = suite.value("frames", plan.Frames);
+  plan.Published = suite.value("published", Json());
+  const Json cases = suite.value("cases", Json::array());
+  for (const Json& one : cases)
+  {
+    plan.Cases.push_back(ReadCase(one, suite, file));
+  }
+  plan.Default = ReadCase({ { "scene", "" } }, suite, file);
+  plan.Entries.emplace_back();
+  plan.Entries.front().Published = plan.Published;
+  for (const Json& row : suite["entries"])
+  {
+    const auto entries = ReadEntries(row);
+    plan.Entries.insert(plan.Entries.end(), entries.begin(), entries.end());
+  }
+  return plan;
+}
+
+//------------------------------------------------------------------------------
+// Failure, which names the file, for what will not work, before anything of the command line is put in
+// its place.
+BenchPlan ReadFile(const Json& suite, const std::string& file)
+{
+  try
+  {
+    const BenchPlan plan = ReadPlan(suite, std::filesystem::path(file).stem().string(), file);
+    BenchPlan checked = plan;
+    if (checked.Cases.empty())
+    {
+      checked.Cases = { plan.Default }; // entries are the same in any scene
+      checked.Cases.front().Scene.Builtin = vtkShadowScenes::GetName(0);
+    }
+    BenchPlans::Check(checked);
+    return plan;
+  }
+  catch (const std::runtime_error& wrong) // of a command line it would be wrong usage
+  {
+    const std::string text = wrong.what();
+    throw Failure(text.rfind("suite ", 0) == 0 ? text : "suite \"" + file + "\": " + text);
+  }
 }
 }
 
@@ -185,48 +322,32 @@ std::vector<std::string> GetSuites()
 BenchPlan Load(const std::string& nameOrFile)
 {
   const auto builtin = BenchSuites.find(nameOrFile);
-  if (builtin == BenchSuites.end() && !std::filesystem::exists(nameOrFile))
+  if (builtin != BenchSuites.end())
+  {
+    return ReadPlan(Json::parse(builtin->second), nameOrFile, nameOrFile);
+  }
+  std::error_code ignored;
+  if (!std::filesystem::exists(nameOrFile, ignored))
   {
     std::string known;
     for (const std::string& name : GetSuites())
     {
       known += (known.empty() ? "" : ", ") + name;
     }
-    throw Failure("unknown suite '" + nameOrFile + "'. Known: " + known +
-                  "; or give a file (suites/suite.schema.json tells its form).");
+    throw WrongUsage("unknown suite '" + nameOrFile + "'. Known: " + known +
+                     "; or give a file (suites/suite.schema.json tells its form).");
   }
-  const std::string text = builtin != BenchSuites.end() ? builtin->second : ReadFile(nameOrFile);
+  const std::string text = Inputs::ReadText(nameOrFile, LargestFile);
   Json suite;
   try
   {
     suite = Json::parse(text);
-    Validate(text, nameOrFile);
   }
   catch (const nlohmann::json::exception& wrong)
   {
     throw Failure("suite \"" + nameOrFile + "\" is no JSON: " + wrong.what());
   }
-
-  BenchPlan plan;
-  plan.Name =
-    builtin != BenchSuites.end() ? nameOrFile : std::filesystem::path(nameOrFile).stem().string();
-  plan.Title = suite["title"].get<std::string>();
-  plan.About = suite.value("about", "");
-  plan.Frames = suite.value("frames", plan.Frames);
-  plan.Published = suite.value("published", Json());
-  const Json cases = suite.value("cases", Json::array());
-  for (const Json& one : cases)
-  {
-    plan.Cases.push_back(ReadCase(one, suite, nameOrFile));
-  }
-  plan.Default = ReadCase({ { "scene", "" } }, suite, nameOrFile);
-  plan.Entries.emplace_back();
-  plan.Entries.front().Published = plan.Published;
-  for (const Json& row : suite["entries"])
-  {
-    const auto entries = ReadEntries(row);
-    plan.Entries.insert(plan.Entries.end(), entries.begin(), entries.end());
-  }
-  return plan;
+  Validate(text, nameOrFile);
+  return ReadFile(suite, nameOrFile);
 }
 }
