@@ -118,6 +118,7 @@ void Render(const RenderOptions& options)
   {
     throw Failure("--frames is from 1 to 10000, not " + std::to_string(options.Frames) + ".");
   }
+  vtkShadowPass::SetAdvice(true);
   const auto pass = MakePass(options);
 
   Outputs outputs;
@@ -188,6 +189,8 @@ void DeclareRender(CLI::App& app)
   command->add_option("-o,--output", options->Picture, "The picture: png, exr, tif, bmp and others")
     ->type_name("FILE")
     ->required();
+  options->Scene.Studio = true;
+  options->Scene.SamplesPerPixel = 8;
   options->Scene.Declare(*command);
   command
     ->add_option("--technique", options->Technique,

@@ -8,6 +8,8 @@
 #include "List.h"
 #include "Render.h"
 
+#include "vtkShadowPass.h"
+
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -51,6 +53,7 @@ std::string JoinWords(int argc, char* argv[])
 int main(int argc, char* argv[])
 {
   Messages::Install();
+  vtkShadowPass::SetAdvice(false); // what is compared and measured is as it is meant
   CLI::App app(
     "Soft shadows for VTK: draw models and scenes, and measure the techniques.", "softshadows");
   app.set_version_flag("--version", "softshadows " SOFTSHADOWS_VERSION);
