@@ -98,6 +98,7 @@ public:
   vtkWeakPointer<vtkRenderer> Renderer;
   vtkNew<vtkAreaLight> Key;
   vtkNew<vtkLight> Fill;
+  vtkNew<vtkLight> Side;
   vtkShadowGround Ground;
   std::vector<vtkWeakPointer<vtkLight>> SwitchedOff;
   unsigned long Observers[2] = { 0, 0 };
@@ -126,7 +127,9 @@ vtkShadowStudio::vtkShadowStudio()
   Internals& my = *this->Internal;
   my.Key->PositionalOff();
   my.Fill->SetLightTypeToHeadlight();
+  my.Side->SetLightTypeToCameraLight();
   vtkShadowTags::SetLightCasting(my.Fill, false);
+  vtkShadowTags::SetLightCasting(my.Side, false);
   vtkShadowTags::SetFilled(my.Key, true);
 }
 
@@ -181,6 +184,7 @@ void vtkShadowStudio::PutOn(vtkRenderer* renderer)
   }
   renderer->AddLight(my.Key);
   renderer->AddLight(my.Fill);
+  renderer->AddLight(my.Side);
   my.Renderer = renderer;
   my.Aimed = false;
   my.Observers[0] = renderer->AddObserver(vtkCommand::StartEvent, this, &vtkShadowStudio::Update);
@@ -211,6 +215,7 @@ void vtkShadowStudio::Detach()
   }
   renderer->RemoveLight(my.Key);
   renderer->RemoveLight(my.Fill);
+  renderer->RemoveLight(my.Side);
   my.Ground.TakeOff(renderer);
   for (vtkLight* light : my.SwitchedOff)
   {
@@ -304,16 +309,35 @@ void vtkShadowStudio::UpdateLights()
 {
   Internals& my = *this->Internal;
   my.Key->SetAngularDiameter(2.0 * vtkMath::DegreesFromRadians(std::atan(this->Softness / 3.0)));
-  // |k key + f fill| is the brightest that a surface gets, whatever way it faces: it is to be 1. Of a key
-  // behind the scene the camera does not see that side.
-  const double fill = 1.0 - this->Darkness * GetDarknessOfPass(my.Renderer);
-  const glm::dvec3 forward =
-    glm::make_vec3(my.Renderer->GetActiveCamera()->GetDirectionOfProjection());
-  const double cosine =
-    std::clamp(-glm::dot(forward, glm::make_vec3(my.Key->GetPosition())), 0.0, 1.0);
-  const double root = std::sqrt(1.0 - fill * fill * (1.0 - cosine * cosine));
-  my.Key->SetIntensity(std::max(0.0, root - fill * cosine));
+  vtkCamera* camera = my.Renderer->GetActiveCamera();
+  const glm::dvec3 toKey = glm::make_vec3(my.Key->GetPosition());
+  const glm::dvec3 toCamera = -glm::make_vec3(camera->GetDirectionOfProjection());
+  const glm::dvec3 right = glm::cross(glm::make_vec3(camera->GetViewUp()), toCamera);
+  const double lies = glm::dot(toKey, right) > 0.0 ? -1.0 : 1.0; // the key on the other side
+  // The fills' directions have a cosine of a third: three quarters of a light from each make the whole of it
+  // on what faces either, and 1.22 of it between them.
+  constexpr double cosine = 1.0 / 3.0;
+  const double sine = std::sqrt(1.0 - cosine * cosine);
+  const double share = 1.0 / (1.0 + cosine);
+  const double most = 1.0 / (share * std::sqrt(2.0 + 2.0 * cosine));
+  const double fill = std::min(1.0 - this->Darkness * GetDarknessOfPass(my.Renderer), most) * share;
+  const glm::dvec3 side =
+    cosine * toCamera + lies * sine * (glm::length(right) > 0.0 ? glm::normalize(right) : right);
+  my.Side->SetPosition(lies * sine, 0.0, cosine);
+  my.Side->SetFocalPoint(0.0, 0.0, 0.0);
   my.Fill->SetIntensity(fill);
+  my.Side->SetIntensity(fill);
+
+  // |k key + fills| is the brightest that a surface gets that these lights reach, whatever way it faces: it is
+  // to be 1. What the camera does not see may be brighter.
+  double key = 1.0;
+  for (const glm::dvec3& fills : { fill * toCamera, fill * (toCamera + side) })
+  {
+    const double along = std::max(0.0, glm::dot(fills, toKey));
+    const double across2 = glm::dot(fills, fills) - along * along;
+    key = std::min(key, std::sqrt(std::max(0.0, 1.0 - across2)) - along);
+  }
+  my.Key->SetIntensity(std::max(0.0, key));
 }
 
 //------------------------------------------------------------------------------
@@ -382,6 +406,12 @@ vtkAreaLight* vtkShadowStudio::GetKeyLight()
 vtkLight* vtkShadowStudio::GetFillLight()
 {
   return this->Internal->Fill;
+}
+
+//------------------------------------------------------------------------------
+vtkLight* vtkShadowStudio::GetSideLight()
+{
+  return this->Internal->Side;
 }
 
 //------------------------------------------------------------------------------

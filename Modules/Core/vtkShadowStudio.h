@@ -8,13 +8,13 @@
  * studio->PutOn(renderer); // and a vtkShadowPass, which draws the shadows
  * @endcode
  *
- * A key light casts the shadows, a fill from the camera lights what the key does not reach and casts none, and
- * a ground catches the shadow of what stands on it, and fades out. Nothing depends on the scene's size or
+ * A key light casts the shadows; two fills, from the camera and from its other side, light what the key does
+ * not reach and cast none; and a ground catches the shadow of what stands on it, and fades out. Nothing depends on the scene's size or
  * place: the key is a distant disk (a directional vtkAreaLight), whose angle is that of a light as large as
  * `Softness` of the scene, and the ground lies under the bounds of what is seen, in every frame.
  *
  * Exposure is kept: the brightest that the two lights together can make a white surface, whatever way it
- * faces, is just white. In shadow and on unlit sides alike, 1 - `Darkness` of the fill's light is left.
+ * faces, is just white. In shadow and on unlit sides alike the fills leave 1 - `Darkness`.
  *
  * The renderer's lights that are on are switched off meanwhile, VTK's own headlight among them. TakeOff puts
  * everything back: the lights, the renderer's settings, the camera's clipping range. A renderer keeps its
@@ -63,7 +63,7 @@ public:
   ///@{
   /**
    * What a shadow takes from a white surface that faces the camera, as from a side that the key does not
-   * reach: 0 nothing, 1 all of it. The pass's own parameter "darkness" is a factor on it. Default: 0.65.
+   * reach: 0 nothing, and then nothing is in shadow, 1 all of it. The pass's own parameter "darkness" is a factor on it. Default: 0.65.
    */
   vtkSetClampMacro(Darkness, double, 0.0, 1.0);
   vtkGetMacro(Darkness, double);
@@ -132,6 +132,7 @@ public:
   /** What it is made of; whatever else is set of these stays. */
   vtkAreaLight* GetKeyLight();
   vtkLight* GetFillLight();
+  vtkLight* GetSideLight();
   vtkActor* GetGroundActor();
   ///@}
 
