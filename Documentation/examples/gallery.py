@@ -21,8 +21,7 @@ from vtkmodules.vtkFiltersGeneral import vtkWarpScalar
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkFiltersModeling import vtkOutlineFilter
 from vtkmodules.vtkFiltersSources import vtkArrowSource, vtkConeSource, vtkCubeSource, \
-    vtkCylinderSource, vtkLineSource, vtkParametricFunctionSource, vtkPlaneSource, vtkPointSource, \
-    vtkSphereSource
+    vtkCylinderSource, vtkLineSource, vtkParametricFunctionSource, vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkImagingHybrid import vtkSampleFunction
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingAnnotation import vtkCubeAxesActor, vtkScalarBarActor
@@ -192,12 +191,15 @@ def flow(renderer):
     surface.SetInputData(image)
     surface.SetValue(0, 0.55)
     show(renderer, surface, (0.90, 0.80, 0.62))
-    seeds = vtkPointSource()
-    seeds.SetRadius(0.7)
-    seeds.SetNumberOfPoints(14)
+    random = np.random.default_rng(5)
+    places = vtkPoints()
+    for place in random.uniform(-0.45, 0.45, (14, 3)):
+        places.InsertNextPoint(place)
+    seeds = vtkPolyData()
+    seeds.SetPoints(places)
     lines = vtkStreamTracer()
     lines.SetInputData(image)
-    lines.SetSourceConnection(seeds.GetOutputPort())
+    lines.SetSourceData(seeds)
     lines.SetMaximumPropagation(6)
     lines.SetIntegrationDirectionToBoth()
     tubes = vtkTubeFilter()
@@ -246,7 +248,7 @@ def flow(renderer):
         lines.SetColor(0.1, 0.1, 0.1)
     renderer.AddViewProp(bar)
     renderer.AddActor(axes)
-    look(renderer, (2.5, -4.5, 2.6), zoom=1.35)
+    look(renderer, (2.5, -4.5, 2.6), zoom=1.2)
 
 
 def helix(renderer):
