@@ -115,9 +115,11 @@ def write_enable():
     techniques = vtksoftshadows.vtkShadowTechniques
     names = [techniques.GetName(i) for i in range(techniques.GetNumberOfTechniques())]
     lines = ["def enable(", "    renderer: vtkRenderer,",
-             f'    technique: Literal[{quoted(names)}] = "map-pcss",',
+             f'    technique: Literal[{quoted(names)}] | None = None,',
              "    radius: float | None = None,",
-             '    quality: Literal["low", "medium", "high", "reference"] | None = None,', "    *,"]
+             f"    quality: Literal[{quoted(vtksoftshadows._QUALITIES)}] | None = None,",
+             '    lights: Literal["studio"] | None = None,',
+             "    angle: float | None = None,", "    *,"]
     for name, uses in vtksoftshadows._parameters().items():
         choices = sorted({choice for _, one in uses for choice in one.get("choices", [])})
         kind = {"integer": "int", "real": "float", "boolean": "bool",
@@ -125,9 +127,17 @@ def write_enable():
         lines.append(f"    {name}: {kind} = ...,")
     lines.append(") -> vtkShadowPass:")
     about = inspect.getdoc(vtksoftshadows.enable).replace("\n", "\n    ")
-    lines += [f'    """{about}', '    """', "",
-              "def disable(renderer: vtkRenderer) -> None:",
-              '    """' + inspect.getdoc(vtksoftshadows.disable).replace("\n", "\n    "), '    """']
+    lines += [f'    """{about}', '    """']
+    for name, head in (
+            ("studio", "(renderer: vtkRenderer, softness: float | None = None, "
+             "darkness: float | None = None, elevation: float | None = None, "
+             'azimuth: float | None = None, ground: Literal["catcher", "solid"] | None = "catcher", '
+             "contact: bool = False, follow_camera: bool = False, "
+             'up: Literal["x", "y", "z"] | Sequence[float] | None = None) -> vtkShadowStudio'),
+            ("visibility", "(renderer: vtkRenderer, light: Any = 0) -> Any"),
+            ("disable", "(renderer: vtkRenderer) -> None")):
+        about = inspect.getdoc(getattr(vtksoftshadows, name)).replace("\n", "\n    ")
+        lines += ["", f"def {name}{head}:", f'    """{about}', '    """']
     return [line.rstrip() for line in lines]
 
 

@@ -275,6 +275,39 @@ void vtkShadowScenes::ResetCamera(vtkRenderer* renderer, int upAxis)
 }
 
 //------------------------------------------------------------------------------
+void vtkShadowScenes::ResetCameraWithShadow(vtkRenderer* renderer, int upAxis)
+{
+  double bounds[6];
+  if (!CheckAxis(upAxis) || !GetModelBounds(renderer, "point the camera at", bounds))
+  {
+    return;
+  }
+  // The studio's key stands 40 degrees to the camera's left and 50 degrees high.
+  const ShadowSceneStage::Frame frame = ShadowSceneStage::GetFrame(upAxis);
+  const vtkVector3d direction = 0.55 * frame.Right + frame.Front + 0.65 * frame.Up;
+  const vtkVector3d front = (0.55 * frame.Right + frame.Front).Normalized();
+  const vtkVector3d right = frame.Up.Cross(front);
+  const double azimuth = vtkMath::RadiansFromDegrees(-40.0);
+  const double height = bounds[2 * upAxis + 1] - bounds[2 * upAxis];
+  const vtkVector3d reach = (-height / std::tan(vtkMath::RadiansFromDegrees(50.0))) *
+                            (std::cos(azimuth) * front + std::sin(azimuth) * right);
+  vtkBoundingBox box(bounds);
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    double point[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const int side = axis == upAxis ? 0 : (axis == (upAxis + 1) % 3 ? corner & 1 : corner >> 1);
+      point[axis] = bounds[2 * axis + side] + reach[axis];
+    }
+    box.AddPoint(point);
+  }
+  box.GetBounds(bounds);
+  ShadowSceneStage::FitCamera(renderer, bounds, direction, frame.Up, 1.1);
+  renderer->ResetCameraClippingRange();
+}
+
+//------------------------------------------------------------------------------
 double vtkShadowScenes::BlockerVisibility(double x, double y)
 {
   return vtkShadowScenes::RectangleVisibility(BlockerLightHalfSide, BlockerLightHalfSide,

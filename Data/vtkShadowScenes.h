@@ -83,6 +83,8 @@ public:
    * filling most of the picture. A ground does not count, except for the clipping range.
    */
   static void ResetCamera(vtkRenderer* renderer, int upAxis = 2);
+  /** The same, so that the props' shadow on their ground fits in too, in the light of a vtkShadowStudio. */
+  static void ResetCameraWithShadow(vtkRenderer* renderer, int upAxis = 2);
 
   /**
    * Visible fraction, 0 to 1, of the scene `blocker`'s light from the floor point (x, y, 0), in

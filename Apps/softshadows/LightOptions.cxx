@@ -125,6 +125,13 @@ void LightOptions::Check() const
 }
 
 //------------------------------------------------------------------------------
+bool LightOptions::IsAny() const
+{
+  return !this->Shape.empty() || this->Radius || this->Width || this->Height || this->Angle ||
+         this->Position || this->Target;
+}
+
+//------------------------------------------------------------------------------
 void LightOptions::Apply(vtkAreaLight* light) const
 {
   if (!this->Shape.empty() && this->Shape != GetShapeName(light))

@@ -114,6 +114,7 @@ double Draw(OffscreenWindow& window, int frames)
 //------------------------------------------------------------------------------
 void Render(const RenderOptions& options)
 {
+  vtkShadowPass::SetAdvice(true);
   const auto pass = JudgeUsage(
     [&options]
     {
@@ -188,6 +189,8 @@ void DeclareRender(CLI::App& app)
   command->add_option("-o,--output", options->Picture, "The picture: png, exr, tif, bmp and others")
     ->type_name("FILE")
     ->required();
+  options->Scene.Studio = true;
+  options->Scene.SamplesPerPixel = 8;
   options->Scene.Declare(*command);
   command
     ->add_option("--technique", options->Technique,

@@ -10,11 +10,13 @@
 #include "vtkAreaLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMapper.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkShadowPass.h"
 #include "vtkShadowScenes.h"
+#include "vtkShadowStudio.h"
 #include "vtkShadowTags.h"
 
 #include <CLI/App.hpp>
@@ -149,7 +151,8 @@ void SceneOptions::Declare(CLI::App& command)
   Values::AddTriple(command, "--background", this->Background, "R,G,B", "Background, each 0 to 1")
     ->group("Picture");
   command
-    .add_option("--samples-per-pixel", this->SamplesPerPixel, "Smooth edges: 0 (default) to 8")
+    .add_option("--samples-per-pixel", this->SamplesPerPixel,
+      "Smooth edges: 0 to 8 (default " + std::to_string(this->SamplesPerPixel) + ")")
     ->type_name("N")
     ->group("Picture");
 }
@@ -203,6 +206,7 @@ Scene SceneOptions::Build(vtkRenderer* renderer) const
   Scene scene;
   const std::string axis = !this->Up.empty() ? this->Up : (this->Builtin.empty() ? "y" : "z");
   const int up = axis[0] - 'x';
+  const bool studio = this->Studio && this->Builtin.empty() && !this->Light.IsAny();
   if (!this->Builtin.empty())
   {
     scene.Name = this->Builtin;
@@ -225,20 +229,35 @@ Scene SceneOptions::Build(vtkRenderer* renderer) const
     }
     renderer->AutomaticLightCreationOff();
     renderer->SetBackground(0.87, 0.88, 0.90);
-    vtkShadowScenes::AddLight(renderer, up);
-    vtkShadowScenes::ResetCamera(renderer, up);
+    if (studio)
+    {
+      vtkShadowScenes::ResetCameraWithShadow(renderer, up);
+      vtkNew<vtkShadowStudio> light;
+      light->SetUpVector(up == 0, up == 1, up == 2);
+      light->SetGround(this->Ground ? vtkShadowStudio::None : vtkShadowStudio::Catcher);
+      light->PutOn(renderer);
+      scene.Light = light->GetKeyLight();
+    }
+    else
+    {
+      vtkShadowScenes::AddLight(renderer, up);
+      vtkShadowScenes::ResetCamera(renderer, up);
+    }
   }
   if (this->Ground)
   {
     vtkShadowScenes::AddGround(renderer, up);
   }
   Messages::Check();
-  scene.Light = FindLight(renderer);
+  scene.Light = scene.Light ? scene.Light : FindLight(renderer);
   if (!scene.Light)
   {
     throw Failure("scene '" + scene.Name + "' has no light.");
   }
-  this->Light.Apply(scene.Light);
+  if (!studio)
+  {
+    this->Light.Apply(scene.Light);
+  }
   if (this->Background)
   {
     renderer->GradientBackgroundOff();

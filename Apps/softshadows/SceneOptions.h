@@ -39,6 +39,8 @@ struct LightOptions
   void Declare(CLI::App& command);
   /** Failure for a value that no light has. */
   void Check() const;
+  /** Whether any is given. */
+  bool IsAny() const;
   /** A new shape keeps the area that the light had, unless its size is given. */
   void Apply(vtkAreaLight* light) const;
 };
@@ -64,6 +66,8 @@ struct SceneOptions
   std::array<int, 2> Size = { 900, 700 };
   std::optional<std::array<double, 3>> Background;
   int SamplesPerPixel = 0;
+  /** Models whose light no option names stand in a studio (vtkShadowStudio). */
+  bool Studio = false;
 
   /** All options, and the models as positional arguments. */
   void Declare(CLI::App& command);

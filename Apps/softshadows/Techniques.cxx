@@ -15,7 +15,11 @@ namespace
 {
 void SetQuality(vtkShadowPass* pass, const std::string& quality)
 {
-  if (quality == "low")
+  if (quality == "preview")
+  {
+    pass->SetQualityToPreview();
+  }
+  else if (quality == "low")
   {
     pass->SetQualityToLow();
   }
@@ -33,7 +37,8 @@ void SetQuality(vtkShadowPass* pass, const std::string& quality)
   }
   else if (!quality.empty())
   {
-    throw Failure("unknown quality '" + quality + "'. Known: low, medium, high, reference.");
+    throw Failure(
+      "unknown quality '" + quality + "'. Known: preview, low, medium, high, reference.");
   }
 }
 }
@@ -61,7 +66,7 @@ std::optional<TechniqueSetting> TechniqueSetting::Parse(const std::string& text)
 //------------------------------------------------------------------------------
 void TechniqueOptions::Declare(CLI::App& command)
 {
-  command.add_option("--quality", this->Quality, "Preset: low, medium, high or reference")
+  command.add_option("--quality", this->Quality, "Preset: preview, low, medium, high or reference")
     ->type_name("LEVEL")
     ->group("Technique");
   command

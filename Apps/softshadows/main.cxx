@@ -9,6 +9,8 @@
 #include "Render.h"
 #include "StandardOutput.h"
 
+#include "vtkShadowPass.h"
+
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -68,6 +70,7 @@ void RefuseEmptyValues(CLI::App& app)
 
 int Run(int argc, char* argv[])
 {
+  vtkShadowPass::SetAdvice(false); // what is compared and measured is as it is meant
   CLI::App app(
     "Soft shadows for VTK: draw models and scenes, and measure the techniques.", "softshadows");
   app.set_version_flag("--version", "softshadows " SOFTSHADOWS_VERSION);

@@ -8,7 +8,11 @@
  * A disk or rectangle faces the focal point; the rectangle's width runs along
  * (focal point - position) x UpVector, its height along the up vector made perpendicular.
  *
- * All lengths are in world units. VTK's own shading sees the light's centre only; its area counts
+ * A positional light that was never placed, turned or sized places itself: the shadow pass fits it to what
+ * the renderer shows (FitTo, a third as large as that, from above on the left). A camera light's lengths are in
+ * units of the camera's distance to its focal point, as its position is.
+ *
+ * All other lengths are in world units. VTK's own shading sees the light's centre only; its area counts
  * for visibility (see vtkShadowPass). A light of size zero gives hard shadows.
  *
  * Unlike a plain vtkLight, an area light is positional and shines into all directions until it is
@@ -54,19 +58,20 @@ public:
 
   ///@{
   /**
-   * Radius of a sphere or disk, in world units, >= 0. Default: 0.5.
+   * Radius of a sphere or disk, in world units, >= 0: what is not is refused with an error. Default: 0.5,
+   * where the light is placed.
    */
-  vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
+  virtual void SetRadius(double radius);
   vtkGetMacro(Radius, double);
   ///@}
 
   ///@{
   /**
-   * Full side lengths of a rectangle, in world units, >= 0. Default: 1 x 1.
+   * Full side lengths of a rectangle, in world units, >= 0, likewise. Default: 1 x 1.
    */
-  vtkSetClampMacro(Width, double, 0.0, VTK_DOUBLE_MAX);
+  virtual void SetWidth(double width);
   vtkGetMacro(Width, double);
-  vtkSetClampMacro(Height, double, 0.0, VTK_DOUBLE_MAX);
+  virtual void SetHeight(double height);
   vtkGetMacro(Height, double);
   ///@}
 
@@ -85,7 +90,7 @@ public:
    * Angle under which a directional light's disk is seen, in degrees, 0 to 90. Default: 0. The sun
    * has 0.53.
    */
-  vtkSetClampMacro(AngularDiameter, double, 0.0, 90.0);
+  virtual void SetAngularDiameter(double angle);
   vtkGetMacro(AngularDiameter, double);
   ///@}
 
@@ -97,6 +102,26 @@ public:
    */
   void SetTexture(vtkTexture* texture);
   vtkTexture* GetTexture();
+  ///@}
+
+  /**
+   * Place and size the light for a scene of these bounds: in the direction that it stands in now (the
+   * way from its focal point to its position), one and a half of the scene's diagonals from its middle, which
+   * it faces, and `softness` as large as that diagonal: the radius of a sphere or disk is half of it, a
+   * rectangle is a square as large, a directional light is seen under that angle. Nothing for bounds that
+   * hold nothing.
+   */
+  void FitTo(const double bounds[6], double softness = 1.0 / 3.0);
+
+  ///@{
+  /** Whether it was placed, turned or sized; the pass fits one that was not. */
+  vtkGetMacro(Placed, bool);
+  using vtkLight::SetFocalPoint;
+  using vtkLight::SetPosition;
+  void SetPosition(double x, double y, double z) override;
+  void SetPosition(const double a[3]) override { this->SetPosition(a[0], a[1], a[2]); }
+  void SetFocalPoint(double x, double y, double z) override;
+  void SetFocalPoint(const double a[3]) override { this->SetFocalPoint(a[0], a[1], a[2]); }
   ///@}
 
   ///@{
@@ -126,6 +151,9 @@ protected:
 
 private:
   void CopyArea(vtkLight* light);
+  void SetLength(const char* name, double& length, double value);
+
+  bool Placed = false;
 
   vtkAreaLight(const vtkAreaLight&) = delete;
   void operator=(const vtkAreaLight&) = delete;

@@ -48,3 +48,11 @@ const vtkShadowDeclaration* vtkShadowTechniqueRegistration::Find(const std::stri
   const auto found = GetRegistry().find(name);
   return found == GetRegistry().end() ? nullptr : &found->second;
 }
+
+//------------------------------------------------------------------------------
+std::string vtkShadowTechniqueRegistration::GetHint()
+{
+  return "none: link a module of techniques, such as SoftShadows::ShadowMaps, and name it in "
+         "CMake's "
+         "vtk_module_autoinit(TARGETS ... MODULES ...), which initializes it";
+}

@@ -110,6 +110,8 @@ public:
   static const Registry& GetAll();
   /** A technique by name, nullptr where there is none. */
   static const vtkShadowDeclaration* Find(const std::string& name);
+  /** What to do where there is none at all. */
+  static std::string GetHint();
 };
 
 /**

@@ -42,12 +42,15 @@ void SetArea(vtkShadowLight& light, vtkAreaLight* area)
 {
   using Shape = vtkShadowLight::Shape;
   glm::dvec3 up = glm::make_vec3(area->GetUpVector());
+  double unit = 1.0;
   if (vtkMatrix4x4* matrix = area->GetTransformMatrix())
   {
     const double in[4] = { up.x, up.y, up.z, 0.0 };
     double out[4];
     matrix->MultiplyPoint(in, out);
     up = glm::make_vec3(out);
+    // Such a light's coordinates are not the world's: a camera light's are its camera's distance.
+    unit = std::cbrt(std::abs(matrix->Determinant()));
   }
   glm::dvec3 width = glm::cross(light.Direction, up);
   width = glm::length(width) > 1e-12 * glm::length(up)
@@ -72,6 +75,7 @@ void SetArea(vtkShadowLight& light, vtkAreaLight* area)
     {
       half = glm::dvec2(0.0);
     }
+    half *= unit;
   }
   light.U = half.x * width;
   light.V = half.y * height;
@@ -94,7 +98,8 @@ glm::dvec3 vtkShadowLight::Perpendicular(const glm::dvec3& axis)
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkShadowLight> vtkShadowLight::Gather(vtkRenderer* renderer, double defaultRadius)
+std::vector<vtkShadowLight> vtkShadowLight::Gather(
+  vtkRenderer* renderer, double defaultRadius, double defaultAngle, double darkness)
 {
   std::vector<vtkShadowLight> result;
   int slot = 0;
@@ -110,7 +115,8 @@ std::vector<vtkShadowLight> vtkShadowLight::Gather(vtkRenderer* renderer, double
     vtkShadowLight light;
     light.Light = source;
     light.Slot = slot++;
-    light.Attenuation = source->GetShadowAttenuation();
+    light.Attenuation =
+      source->GetShadowAttenuation() * (vtkShadowTags::GetFilled(source) ? 1.0 : darkness);
     const double* color = source->GetDiffuseColor();
     const bool black =
       source->GetIntensity() <= 0.0 || (color[0] <= 0.0 && color[1] <= 0.0 && color[2] <= 0.0);
@@ -127,10 +133,12 @@ std::vector<vtkShadowLight> vtkShadowLight::Gather(vtkRenderer* renderer, double
     {
       SetArea(light, area);
     }
-    else if (!light.IsDirectional() && defaultRadius > 0.0)
+    else
     {
-      light.Kind = Shape::Sphere;
-      light.U = defaultRadius * Perpendicular(light.Direction);
+      const double half =
+        light.IsDirectional() ? std::tan(glm::radians(0.5 * defaultAngle)) : defaultRadius;
+      light.Kind = half > 0.0 && !light.IsDirectional() ? Shape::Sphere : light.Kind;
+      light.U = half * Perpendicular(light.Direction);
       light.V = glm::cross(light.Direction, light.U);
     }
     if (light.IsDirectional())

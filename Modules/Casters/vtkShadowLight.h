@@ -53,7 +53,7 @@ struct VTKSOFTSHADOWSCASTERS_EXPORT vtkShadowLight
   glm::dvec3 U{ 0.0 };
   glm::dvec3 V{ 0.0 };
   double ConeAngle = 90.0;  // degrees from axis to edge; 90 and more is no cone
-  double Attenuation = 1.0; // vtkLight::GetShadowAttenuation(): 1 is a black shadow
+  double Attenuation = 1.0; // vtkLight::GetShadowAttenuation() x darkness: 1 is a black shadow
   vtkSmartPointer<vtkImageData> Emission;
   vtkMTimeType EmissionTime = 0;
 
@@ -84,9 +84,12 @@ struct VTKSOFTSHADOWSCASTERS_EXPORT vtkShadowLight
   /**
    * The lights of a renderer that cast shadows: switched on, neither black nor without shadow
    * attenuation, and casting not switched off (vtkShadowTags::SetLightCasting). Plain positional
-   * vtkLights become spheres of the default radius (world units) where it is positive.
+   * vtkLights become spheres of the default radius (world units) where it is positive, directional ones
+   * disks of the default angle (degrees). Darkness is a factor on the attenuation of lights that no fill
+   * answers for (vtkShadowTags::SetFilled).
    */
-  static std::vector<vtkShadowLight> Gather(vtkRenderer* renderer, double defaultRadius);
+  static std::vector<vtkShadowLight> Gather(
+    vtkRenderer* renderer, double defaultRadius, double defaultAngle = 0.0, double darkness = 1.0);
 };
 
 /**

@@ -18,6 +18,15 @@ vtkShadowParameter Make(const std::string& name, vtkShadowParameter::Type type,
   parameter.Meaning = meaning;
   return parameter;
 }
+
+vtkShadowParameter GetDarkness()
+{
+  auto parameter = vtkShadowParameter::Real("darkness", 1, 0, 1,
+    "How dark shadows are: a factor on each light's shadow attenuation, 0 for none. Of a "
+    "studio's light the fill answers for it, so that unlit sides are as dark as shadows");
+  parameter.OfShading = true;
+  return parameter;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -75,6 +84,13 @@ vtkShadowParameter& vtkShadowParameter::At(const std::vector<double>& presets)
 }
 
 //------------------------------------------------------------------------------
+vtkShadowParameter& vtkShadowParameter::AtPreview(double preview)
+{
+  this->Preview = vtkShadowNumber::Print(preview);
+  return *this;
+}
+
+//------------------------------------------------------------------------------
 const std::vector<vtkShadowParameter>& vtkShadowParameter::GetCommon()
 {
   static const std::vector<vtkShadowParameter> parameters = {
@@ -93,6 +109,7 @@ const std::vector<vtkShadowParameter>& vtkShadowParameter::GetCommon()
       "Whether the shadows on a prop that its normals shade smoothly are those of the smooth "
       "surface that they stand for, or of its facets as they are, which cut the shading where it "
       "is coarse. Facets for measuring"),
+    GetDarkness(),
   };
   return parameters;
 }

@@ -41,8 +41,12 @@ struct VTKSOFTSHADOWSCASTERS_EXPORT vtkShadowParameter
   std::vector<std::string> Choices;
   std::string Unit;
   std::string Meaning;
+  /** How a picture is shaded: no light data depends on it. */
+  bool OfShading = false;
   /** Values at quality low, medium, high, reference; empty where quality does not matter. */
   std::vector<std::string> Presets;
+  /** Value at quality preview; empty where it is that of low. */
+  std::string Preview;
 
   ///@{ Of a default; from a least to a greatest value, or one of some choices.
   static vtkShadowParameter Integer(
@@ -58,6 +62,12 @@ struct VTKSOFTSHADOWSCASTERS_EXPORT vtkShadowParameter
   vtkShadowParameter& In(const std::string& unit);
   /** Its values at quality low, medium, high and reference. */
   vtkShadowParameter& At(const std::vector<double>& presets);
+  /** Its value at quality preview, where that is less than low. */
+  vtkShadowParameter& AtPreview(double preview);
+  std::string GetPreview() const
+  {
+    return this->Preview.empty() ? this->Presets[0] : this->Preview;
+  }
 
   /** Those that all techniques have. */
   static const std::vector<vtkShadowParameter>& GetCommon();

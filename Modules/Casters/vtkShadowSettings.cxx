@@ -53,7 +53,7 @@ std::string vtkShadowSettings::Set(const std::string& name, const std::string& v
   current = *read;
   if (changed)
   {
-    this->Time.Modified();
+    (parameter->OfShading ? this->ShadingTime : this->Time).Modified();
   }
   return "";
 }

@@ -8,6 +8,7 @@
 #include "vtkSoftShadowsCastersModule.h" // For export macro
 #include "vtkTimeStamp.h"                // For when they changed
 
+#include <algorithm>
 #include <map>
 #include <string>
 
@@ -34,8 +35,14 @@ public:
   void Copy(const vtkShadowSettings& other);
 
   const std::map<std::string, vtkShadowValue>& GetAll() const { return this->Values; }
-  /** When a value last changed: light data that depends on it is then to be built anew. */
+  ///@{
+  /** When any value last changed; and one that is not of shading alone: light data is to be built anew. */
+  vtkMTimeType GetTimeOfAny() const
+  {
+    return std::max(this->Time.GetMTime(), this->ShadingTime.GetMTime());
+  }
   vtkMTimeType GetTime() const { return this->Time; }
+  ///@}
 
   bool Has(const std::string& name) const { return this->Values.count(name) != 0; }
   ///@{
@@ -52,6 +59,7 @@ private:
   const vtkShadowDeclaration* Declaration = nullptr;
   std::map<std::string, vtkShadowValue> Values;
   vtkTimeStamp Time;
+  vtkTimeStamp ShadingTime;
 };
 
 #endif

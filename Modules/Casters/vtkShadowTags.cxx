@@ -52,6 +52,13 @@ vtkInformationIntegerKey* MadePhongKey()
   return key;
 }
 
+/** In a light's information. */
+vtkInformationIntegerKey* FilledKey()
+{
+  static auto* key = vtkInformationIntegerKey::MakeKey("FILLED", "vtkShadowPass");
+  return key;
+}
+
 /**
  * What a catcher changes of its parts, undone when this goes: where the prop ceases to be one, or is
  * deleted. What the user has set, before or meanwhile, stays. It stands in the catcher's keys, which
@@ -231,6 +238,24 @@ void vtkShadowTags::SetLightCasting(vtkLight* light, bool casts)
 bool vtkShadowTags::GetLightCasting(vtkLight* light)
 {
   return GetSwitch(light->GetInformation(), vtkShadowTags::CASTS_SHADOW());
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowTags::SetFilled(vtkLight* light, bool filled)
+{
+  if (!light->GetInformation())
+  {
+    vtkNew<vtkInformation> keys;
+    light->SetInformation(keys);
+  }
+  light->GetInformation()->Set(FilledKey(), filled ? 1 : 0);
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowTags::GetFilled(vtkLight* light)
+{
+  vtkInformation* keys = light->GetInformation();
+  return keys && keys->Has(FilledKey()) && keys->Get(FilledKey()) != 0;
 }
 
 //------------------------------------------------------------------------------

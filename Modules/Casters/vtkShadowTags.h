@@ -31,6 +31,12 @@ public:
   static bool GetShadowCatcher(vtkProp* prop);
   static void SetLightCasting(vtkLight* light, bool casts);
   static bool GetLightCasting(vtkLight* light);
+  /**
+   * Whether a fill light answers for how dark this light's shadows are: the parameter "darkness" is then the
+   * fill's, so that shadows and unlit sides agree. Default: no.
+   */
+  static void SetFilled(vtkLight* light, bool filled);
+  static bool GetFilled(vtkLight* light);
 
   /**
    * Call a function with each prop in space that a prop draws, and its matrix: itself, the visible

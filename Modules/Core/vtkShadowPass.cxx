@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowPass.h"
 
+#include "vtkAreaLight.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkLightCollection.h"
 #include "vtkOpenGLError.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderState.h"
+#include "vtkShadowAdvice.h"
 #include "vtkShadowDebugViews.h"
 #include "vtkShadowDeclaration.h"
 #include "vtkShadowOpenGL.h"
@@ -161,6 +164,7 @@ void vtkShadowPass::RenderShadowed(const vtkRenderState* s)
     int origin[2];
     renderer->GetTiledSizeAndOrigin(&my.Size[0], &my.Size[1], &origin[0], &origin[1]);
   }
+  this->FitUnplacedLights(renderer);
   // Headlights and camera lights follow the camera before their shadows do.
   this->UpdateLightGeometry(renderer);
   this->UpdateLights(renderer);
@@ -232,6 +236,23 @@ void vtkShadowPass::RenderShadowed(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
+// Area lights that nobody has placed.
+void vtkShadowPass::FitUnplacedLights(vtkRenderer* renderer)
+{
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator cookie;
+  lights->InitTraversal(cookie);
+  while (vtkLight* light = lights->GetNextLight(cookie))
+  {
+    auto* area = vtkAreaLight::SafeDownCast(light);
+    if (area && !area->GetPlaced() && area->LightTypeIsSceneLight())
+    {
+      area->FitTo(renderer->ComputeVisiblePropBounds());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // Stages 1 and 2. False where no shadows are drawn.
 bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
 {
@@ -241,7 +262,12 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
   if (!my.Technique)
   {
     my.Messages.Warn(
-      std::string(this->GetClassName()) + " has no technique: its module is not linked.");
+      std::string(this->GetClassName()) + " has no technique. Known: " +
+      (vtkShadowTechniqueRegistration::GetAll().empty()
+          ? vtkShadowTechniqueRegistration::GetHint()
+          : std::string("others than its own, whose module is not linked or not initialized by "
+                        "vtk_module_autoinit; see SetTechnique")) +
+      ".");
     return false;
   }
   if (!this->IsSupported(my.At.Window))
@@ -249,9 +275,19 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
     my.Messages.Warn("drawn without shadows: " + this->GetUnsupportedReason() + ".");
     return false;
   }
-  if (!stages.Gather(my.Settings, this->DefaultLightRadius))
+  if (!stages.Gather(my.Settings, this->DefaultLightRadius, this->DefaultLightAngle))
   {
     return false;
+  }
+  if (vtkShadowPass::GetAdvice() && !my.Advised)
+  {
+    const std::string advice =
+      vtkShadowAdvice::Find(stages.GetFrame(), *my.Settings.GetDeclaration());
+    my.Advised = !advice.empty();
+    if (my.Advised)
+    {
+      my.Messages.Warn(advice);
+    }
   }
   this->PrepareTechnique(*my.Technique);
   if (my.Settings.GetDeclaration()->Traits.NeedsReceivers)

@@ -108,13 +108,16 @@ public:
    * an error, for an unknown name.
    */
   bool SetParameter(const std::string& name, const std::string& value);
+  bool SetParameter(const std::string& name, double value);
   std::string GetParameter(const std::string& name);
   ///@}
 
   ///@{
   /**
-   * Set the parameters that trade quality for time to their presets. Default: High.
+   * Set the parameters that trade quality for time to their presets. Preview is for interaction: less than
+   * Low where a technique has less. Default: High.
    */
+  void SetQualityToPreview() { this->SetQuality(-1); }
   void SetQualityToLow() { this->SetQuality(0); }
   void SetQualityToMedium() { this->SetQuality(1); }
   void SetQualityToHigh() { this->SetQuality(2); }
@@ -141,6 +144,25 @@ public:
    */
   vtkSetClampMacro(DefaultLightRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(DefaultLightRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Angle, in degrees, under which plain directional vtkLights are seen, among them those of a vtkLightKit: 0
+   * to 90. The sun has 0.53; a lamp as large as a third of the scene, from one and a half of its diameters
+   * away, 12.7. Default: 0, with hard shadows.
+   */
+  vtkSetClampMacro(DefaultLightAngle, double, 0.0, 90.0);
+  vtkGetMacro(DefaultLightAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether passes say, once each by a warning, what is probably not meant: lights that all shine from the
+   * camera, none with a size, one inside the scene, or one that is far too small or large. Default: they do.
+   */
+  static void SetAdvice(bool advice);
+  static bool GetAdvice();
   ///@}
 
   ///@{
@@ -238,6 +260,7 @@ protected:
   virtual void CopySettings(vtkShadowPass* other);
 
   double DefaultLightRadius = 0.0;
+  double DefaultLightAngle = 0.0;
 
 private:
   vtkShadowPass(const vtkShadowPass&) = delete;
@@ -246,6 +269,7 @@ private:
   void SetQuality(int level);
 
   void RenderShadowed(const vtkRenderState* s);
+  void FitUnplacedLights(vtkRenderer* renderer);
   bool PrepareShadows(vtkRenderer* renderer);
   void DrawReceivers(bool translucent, bool withCatchers);
   bool EvaluateVisibility(bool withCatchers);

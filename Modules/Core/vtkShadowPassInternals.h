@@ -68,6 +68,7 @@ public:
   int Size[2] = { 0, 0 };
   bool HasCatchers = false;    // among the props
   bool Active = false;         // shadows are drawn in this frame
+  bool Advised = false;        // a pass gives advice once
   bool BufferAskedFor = false; // by GetVisibility, since the last frame
   unsigned long Frames = 0;
 

@@ -4,6 +4,7 @@
 #include "vtkInformationIntegerKey.h"
 #include "vtkShadowDebugViews.h"
 #include "vtkShadowDeclaration.h"
+#include "vtkShadowNumber.h"
 #include "vtkShadowOpenGL.h"
 #include "vtkShadowPassChain.h"
 #include "vtkShadowPassInternals.h"
@@ -26,7 +27,9 @@ bool vtkShadowPass::SetTechnique(const std::string& name)
     {
       known += (known.empty() ? "" : ", ") + entry.first;
     }
-    vtkErrorMacro("SetTechnique: there is no technique '" << name << "'. Known: " << known << ".");
+    vtkErrorMacro("SetTechnique: there is no technique '"
+                  << name << "'. Known: "
+                  << (known.empty() ? vtkShadowTechniqueRegistration::GetHint() : known) << ".");
     return false;
   }
   const bool isAnother = declaration != my.Settings.GetDeclaration();
@@ -61,19 +64,25 @@ std::string vtkShadowPass::GetTechnique()
 bool vtkShadowPass::SetParameter(const std::string& name, const std::string& value)
 {
   Internals& my = *this->Internal;
-  const vtkMTimeType before = my.Settings.GetTime();
+  const vtkMTimeType before = my.Settings.GetTimeOfAny();
   const std::string problem = my.Settings.Set(name, value);
   if (!problem.empty())
   {
     vtkErrorMacro(<< problem);
     return false;
   }
-  if (my.Settings.GetTime() != before)
+  if (my.Settings.GetTimeOfAny() != before)
   {
     my.Messages.Forget();
     this->Modified();
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::SetParameter(const std::string& name, double value)
+{
+  return this->SetParameter(name, vtkShadowNumber::Print(value));
 }
 
 //------------------------------------------------------------------------------
@@ -97,7 +106,8 @@ void vtkShadowPass::SetQuality(int level)
     {
       if (!parameter.Presets.empty())
       {
-        this->SetParameter(parameter.Name, parameter.Presets[level]);
+        this->SetParameter(
+          parameter.Name, level < 0 ? parameter.GetPreview() : parameter.Presets[level]);
       }
     }
   }
@@ -174,6 +184,7 @@ void vtkShadowPass::CopySettings(vtkShadowPass* other)
   my.DebugView = from.DebugView;
   this->SetDelegatePass(from.Delegate);
   this->SetDefaultLightRadius(other->GetDefaultLightRadius());
+  this->SetDefaultLightAngle(other->GetDefaultLightAngle());
   this->Modified();
 }
 
@@ -260,7 +271,27 @@ void vtkShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << indent << "DebugView: " << this->Internal->DebugView << "\n";
   os << indent << "DefaultLightRadius: " << this->DefaultLightRadius << "\n";
+  os << indent << "DefaultLightAngle: " << this->DefaultLightAngle << "\n";
   os << indent << "DelegatePass: " << this->Internal->Delegate.Get() << "\n";
+}
+
+//------------------------------------------------------------------------------
+static bool& Advice()
+{
+  static bool advice = true;
+  return advice;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowPass::SetAdvice(bool advice)
+{
+  Advice() = advice;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowPass::GetAdvice()
+{
+  return Advice();
 }
 
 //------------------------------------------------------------------------------

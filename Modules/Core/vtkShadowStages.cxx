@@ -10,6 +10,7 @@
 #include "vtkRenderer.h"
 #include "vtkShadowDeclaration.h"
 #include "vtkShadowMessages.h"
+#include "vtkShadowOpenGL.h"
 #include "vtkShadowSettings.h"
 #include "vtkShadowTechnique.h"
 
@@ -18,6 +19,18 @@
 
 #include <algorithm>
 #include <exception>
+
+namespace
+{
+/** Whether the context that is current draws on the processor: by what Mesa and Google call theirs. */
+bool IsSoftware()
+{
+  const auto* text = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const std::string name = text ? text : "";
+  const auto has = [&name](const char* part) { return name.find(part) != std::string::npos; };
+  return has("llvmpipe") || has("softpipe") || has("swrast") || has("SwiftShader");
+}
+}
 
 //------------------------------------------------------------------------------
 vtkShadowStages::vtkShadowStages()
@@ -38,6 +51,8 @@ void vtkShadowStages::Start(vtkRenderer* renderer, vtkOpenGLRenderWindow* window
   frame.Quad = &this->Quad;
   frame.Messages = messages;
   frame.Receivers = nullptr;
+  frame.SamplesPerPixel = std::max(1, window->GetMultiSamples());
+  frame.IsSoftware = IsSoftware();
   frame.Size[0] = size[0];
   frame.Size[1] = size[1];
   frame.Lights.clear();
@@ -50,19 +65,23 @@ void vtkShadowStages::Start(vtkRenderer* renderer, vtkOpenGLRenderWindow* window
 }
 
 //------------------------------------------------------------------------------
-bool vtkShadowStages::Gather(const vtkShadowSettings& settings, double defaultRadius)
+bool vtkShadowStages::Gather(
+  const vtkShadowSettings& settings, double defaultRadius, double defaultAngle)
 {
   const vtkShadowFrame& frame = this->Frame;
-  return this->GatherLights(settings, defaultRadius) && this->GatherCasters(settings) &&
-         this->SetCamera() && frame.Size[0] > 0 && frame.Size[1] > 0;
+  return this->GatherLights(settings, defaultRadius, defaultAngle) &&
+         this->GatherCasters(settings) && this->SetCamera() && frame.Size[0] > 0 &&
+         frame.Size[1] > 0;
 }
 
 //------------------------------------------------------------------------------
-bool vtkShadowStages::GatherLights(const vtkShadowSettings& settings, double defaultRadius)
+bool vtkShadowStages::GatherLights(
+  const vtkShadowSettings& settings, double defaultRadius, double defaultAngle)
 {
   vtkShadowFrame& frame = this->Frame;
   const vtkShadowDeclaration& declaration = *settings.GetDeclaration();
-  for (const auto& light : vtkShadowLight::Gather(frame.Renderer, defaultRadius))
+  for (const auto& light : vtkShadowLight::Gather(
+         frame.Renderer, defaultRadius, defaultAngle, settings.GetReal("darkness")))
   {
     const int shape = light.Emission ? 5 : static_cast<int>(light.Kind);
     const std::string name = vtkShadowDeclaration::ShapeNames[shape];

@@ -31,7 +31,7 @@ public:
    * Gather lights, casters and the camera for a technique. False where there is no shadow to be drawn:
    * `messages` have said why, if it is not that nothing casts.
    */
-  bool Gather(const vtkShadowSettings& settings, double defaultRadius);
+  bool Gather(const vtkShadowSettings& settings, double defaultRadius, double defaultAngle);
   /** Bring the technique's light data up to date. False after an error. */
   bool UpdateLightData(vtkShadowTechnique& technique);
   /**
@@ -77,7 +77,7 @@ public:
   vtkShadowScreen Translucent;
 
 private:
-  bool GatherLights(const vtkShadowSettings& settings, double defaultRadius);
+  bool GatherLights(const vtkShadowSettings& settings, double defaultRadius, double defaultAngle);
   bool GatherCasters(const vtkShadowSettings& settings);
   bool SetCamera();
 

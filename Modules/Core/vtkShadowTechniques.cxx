@@ -23,10 +23,10 @@ const vtkShadowDeclaration* FindOrReport(const std::string& name)
     {
       known += (known.empty() ? "" : ", ") + other.first;
     }
-    vtkErrorWithObjectMacro(nullptr,
-      "Unknown shadow technique '"
-        << name << "'. Known: " << (known.empty() ? "none; no family module is linked" : known)
-        << ".");
+    vtkErrorWithObjectMacro(
+      nullptr, "Unknown shadow technique '"
+                 << name << "'. Known: "
+                 << (known.empty() ? vtkShadowTechniqueRegistration::GetHint() : known) << ".");
   }
   return technique;
 }
@@ -77,6 +77,7 @@ nlohmann::ordered_json ToJson(const vtkShadowParameter& parameter)
   json["meaning"] = parameter.Meaning;
   if (!parameter.Presets.empty())
   {
+    json["presets"]["preview"] = parameter.GetPreview();
     static const char* const levels[] = { "low", "medium", "high", "reference" };
     for (std::size_t i = 0; i < parameter.Presets.size(); ++i)
     {
@@ -114,7 +115,7 @@ const char* vtkShadowTechniques::GetName(int i)
     vtkErrorWithObjectMacro(nullptr, "There is no technique "
                                        << i << "; there are "
                                        << vtkShadowTechniques::GetNumberOfTechniques() << ".");
-    return nullptr;
+    return "";
   }
   return std::next(vtkShadowTechniqueRegistration::GetAll().begin(), i)->first.c_str();
 }

@@ -36,7 +36,7 @@ public:
 
   ///@{
   /**
-   * The names, sorted.
+   * The names, sorted; "", with an error, for a number that is not one of them.
    */
   static int GetNumberOfTechniques();
   static const char* GetName(int i);

@@ -33,6 +33,10 @@ struct VTKSOFTSHADOWSDRAWING_EXPORT vtkShadowFrame : vtkShadowView
   vtkShadowMessages* Messages = nullptr;
   /** Those of the picture's opaque surfaces, for techniques that declare to need them; else nullptr. */
   vtkShadowReceivers* Receivers = nullptr;
+  ///@{ What the window draws with: samples a pixel, and whether a processor makes the pixels.
+  int SamplesPerPixel = 1;
+  bool IsSoftware = false;
+  ///@}
   /** So many parts of lights cast at most: as many as uniforms are sure to hold. */
   static constexpr int MostParts = 16;
   /** The casting lights that this technique can treat. */

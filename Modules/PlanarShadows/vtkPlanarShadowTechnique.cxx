@@ -68,7 +68,8 @@ std::string vtkPlanarShadowTechnique::GetVisibilityGLSL()
 bool vtkPlanarShadowTechnique::PrefersForward(const vtkShadowFrame& frame)
 {
   // As vtkFilteredShadowMapTechnique: the filter's code is long.
-  return this->Technique != Kind::Fake || frame.Parts.size() < 2;
+  const bool oftener = frame.IsSoftware && frame.SamplesPerPixel > 1;
+  return this->Technique != Kind::Fake || (frame.Parts.size() < 2 && !oftener);
 }
 
 //------------------------------------------------------------------------------

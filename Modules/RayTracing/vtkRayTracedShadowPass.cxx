@@ -26,7 +26,8 @@ vtkShadowDeclaration RayTraced()
   t.Parameters = { vtkShadowParameter::Integer(
                      "samples", 64, 1, 16384, "Rays from each pixel to each light")
                      .In("rays")
-                     .At({ 4, 16, 64, 1024 }),
+                     .At({ 4, 16, 64, 1024 })
+                     .AtPreview(1),
     vtkShadowParameter::Integer("seed", 0, 0, 65535,
       "Another seed gives other rays: how two pictures differ tells their noise") };
   t.Resources = { "on the CPU: Embree's structures, about 100 bytes a triangle",

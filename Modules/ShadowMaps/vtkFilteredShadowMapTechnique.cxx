@@ -68,8 +68,10 @@ void vtkFilteredShadowMapTechnique::SetMapSettings(vtkShadowMapSettings& setting
 bool vtkFilteredShadowMapTechnique::PrefersForward(const vtkShadowFrame& frame)
 {
   // Of several lights' filters the code stays a loop, whose lights are no constants: see
-  // vtkShadowInjection. In screen space it runs once a pixel for that.
-  return this->Hard || frame.Parts.size() < 2;
+  // vtkShadowInjection. In screen space it runs once a pixel for that. So it does where a software
+  // rasterizer runs it for each primitive that has any of a pixel's samples: twice as long with 4 to 8.
+  const bool oftener = frame.IsSoftware && frame.SamplesPerPixel > 1;
+  return this->Hard || (frame.Parts.size() < 2 && !oftener);
 }
 
 //------------------------------------------------------------------------------

@@ -37,14 +37,16 @@ vtkShadowParameter Search(int value)
 {
   return vtkShadowParameter::Integer(
     "search", value, 1, 256, "Points at which blockers are searched")
-    .At({ 9, 16, static_cast<double>(value), 64 });
+    .At({ 9, 16, static_cast<double>(value), 64 })
+    .AtPreview(6);
 }
 
 vtkShadowParameter Samples(int value, const std::vector<double>& presets)
 {
   return vtkShadowParameter::Integer(
     "samples", value, 1, 1024, "Compares of a receiver in a penumbra")
-    .At(presets);
+    .At(presets)
+    .AtPreview(8);
 }
 
 vtkShadowParameter JitteredSamples(int value, const std::vector<double>& presets)

@@ -52,7 +52,8 @@ vtkShadowDeclaration Accumulated()
     Support::Exact, Support::Exact };
   t.Parameters = {
     vtkShadowParameter::Integer("samples", 64, 1, 1024, "Samples of the light, a map each")
-      .At({ 16, 32, 64, 1024 }),
+      .At({ 16, 32, 64, 1024 })
+      .AtPreview(8),
     Resolution("; 512 where a light has a size", { 256, 512, 0, 1024 }),
     Filter("nearest"),
     Midpoint(),

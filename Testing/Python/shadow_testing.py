@@ -14,6 +14,8 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, v
 
 import vtksoftshadows as vss
 
+vss.vtkShadowPass.SetAdvice(False)  # lights here are as they are meant
+
 SIZE = (160, 120)  # not square, so that a transposed or stretched shadow shows
 
 # A connection to the display that stays: an X server (Xvfb, without -noreset) starts anew when its

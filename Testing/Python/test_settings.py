@@ -48,7 +48,7 @@ class Arguments(TestCase):
         self.refused(ValueError, ["'map-psss'", "did you mean 'map-pcss'?"] + technique_names(),
                      technique="map-psss")
         self.refused(ValueError, technique_names(), technique="")
-        for wrong in (None, 3, vss.vtkShadowTechniques):
+        for wrong in (3, vss.vtkShadowTechniques):
             self.refused(TypeError, ["technique"], technique=wrong)
 
     def test_parameter_that_is_not_there(self):
@@ -83,8 +83,8 @@ class Arguments(TestCase):
                 vss.enable(self.renderer, radius=right).GetDefaultLightRadius(), float(right))
 
     def test_quality(self):
-        self.refused(ValueError, ["'best'", "low, medium, high, reference"], quality="best")
-        self.refused(TypeError, ["low, medium, high, reference"], quality=2)
+        self.refused(ValueError, ["'best'", "preview, low, medium, high, reference"], quality="best")
+        self.refused(TypeError, ["preview, low, medium, high, reference"], quality=2)
         for name in technique_names():
             for quality in ("low", "medium", "high", "reference"):
                 shadows = vss.enable(self.renderer, name, quality=quality)

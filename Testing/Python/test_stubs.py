@@ -28,8 +28,16 @@ class TestStubs(unittest.TestCase):
         enable, = [node for node in self.tree.body
                    if isinstance(node, ast.FunctionDef) and node.name == "enable"]
         self.assertEqual([argument.arg for argument in enable.args.args],
-                         ["renderer", "technique", "radius", "quality"])
+                         ["renderer", "technique", "radius", "quality", "lights", "angle"])
         self.assertEqual({argument.arg for argument in enable.args.kwonlyargs}, self.names())
+
+    def test_functions(self):
+        # Each as the package has it, argument by argument.
+        for name in ("studio", "visibility", "disable"):
+            stub, = [node for node in self.tree.body
+                     if isinstance(node, ast.FunctionDef) and node.name == name]
+            self.assertEqual([argument.arg for argument in stub.args.args],
+                             list(inspect.signature(getattr(vss, name)).parameters))
 
     def test_signature(self):
         arguments = inspect.signature(vss.enable).parameters

@@ -34,7 +34,7 @@ class Techniques(TestCase):
         self.assertEqual(vss.vtkShadowTechniques.Describe("map-nothing"), "")
         self.assertIn("map-nothing", self.errors())
         for i in (-1, len(technique_names())):
-            self.assertIsNone(vss.vtkShadowTechniques.GetName(i))
+            self.assertEqual(vss.vtkShadowTechniques.GetName(i), "")
             self.assertIn("no technique", self.errors())
 
     def test_describe(self):

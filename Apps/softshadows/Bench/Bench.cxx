@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -89,6 +90,35 @@ void UseScene(BenchPlan& plan, const BenchOptions& options, const CLI::App& comm
 }
 
 //------------------------------------------------------------------------------
+// What each suite takes by itself, for the help.
+std::string GetBudgets()
+{
+  std::string text;
+  for (const std::string& name : BenchPlans::GetSuites())
+  {
+    const BenchPlan plan = BenchPlans::Load(name);
+    const double seconds = plan.Cases.empty() ? BenchCase().Budget : plan.GetBudget();
+    text += (text.empty() ? "" : ", ") + name + " " +
+            std::to_string(static_cast<int>(std::lround(seconds)));
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+// Said before it begins: a budget that is a fraction of what the suite takes leaves entries out.
+void CheckBudget(const BenchPlan& plan, double given)
+{
+  if (given < 0.5 * plan.GetBudget())
+  {
+    Messages::Note("--budget " + std::to_string(static_cast<int>(given)) + " holds " +
+                   std::to_string(static_cast<int>(100.0 * given / plan.GetBudget())) +
+                   " % of what suite " + plan.Name + " takes, " +
+                   std::to_string(static_cast<int>(std::lround(plan.GetBudget()))) +
+                   " seconds: medians will be of fewer frames, and entries may be missing.");
+  }
+}
+
+//------------------------------------------------------------------------------
 void Override(BenchPlan& plan, const BenchOptions& options)
 {
   if (!options.Techniques.empty())
@@ -96,6 +126,10 @@ void Override(BenchPlan& plan, const BenchOptions& options)
     BenchPlans::Select(plan, Values::Split(options.Techniques));
   }
   BenchPlans::Sweep(plan, options.Sweeps);
+  if (options.Budget)
+  {
+    CheckBudget(plan, *options.Budget);
+  }
   const double share = options.Budget ? *options.Budget / plan.GetBudget() : 1.0;
   for (BenchCase& one : plan.Cases)
   {
@@ -326,7 +360,7 @@ void DeclareBench(CLI::App& app, const std::string& commandLine)
     ->allow_extra_args(false)
     ->group("Technique");
   Values::AddNumber(*command, "--budget", options->Budget, { 1.0, 1e6 },
-    "Seconds that all of it shall take, of each suite (default 100, or the suite's)")
+    "Seconds that all of it shall take, of each suite (default: " + GetBudgets() + ")")
     ->type_name("SECONDS");
   command->add_option("--frames", options->Frames, "Frames that a median wants (default 15)")
     ->type_name("N")

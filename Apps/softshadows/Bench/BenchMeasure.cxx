@@ -474,7 +474,8 @@ bool BenchMeasure::IsComplete() const
 {
   const Internals& my = *this->Internal;
   return std::none_of(my.Contestants.begin() + 1, my.Contestants.end(),
-    [&my](const Contestant& contestant) { return my.Needs(contestant); });
+    [](const Contestant& contestant)
+    { return contestant.Note.empty() && contestant.Static.Whole.empty(); });
 }
 
 //------------------------------------------------------------------------------

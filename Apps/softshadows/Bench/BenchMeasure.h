@@ -25,7 +25,7 @@ public:
    */
   void Run(double seconds, double later, const std::string& title);
 
-  /** Whether each entry that can be measured has all of its frames. */
+  /** Whether each entry that can be measured was timed. */
   bool IsComplete() const;
 
   /** The case, as results.json has it, without what follows from it (BenchAnalysis). */
