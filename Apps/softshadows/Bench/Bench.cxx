@@ -93,15 +93,14 @@ void UseScene(BenchPlan& plan, const BenchOptions& options, const CLI::App& comm
 // What each suite takes by itself, for the help.
 std::string GetBudgets()
 {
-  std::string text;
+  std::string text = "Seconds that suites take: ";
   for (const std::string& name : BenchPlans::GetSuites())
   {
     const BenchPlan plan = BenchPlans::Load(name);
     const double seconds = plan.Cases.empty() ? BenchCase().Budget : plan.GetBudget();
-    text += (text.empty() ? "" : ", ") + name + " " +
-            std::to_string(static_cast<int>(std::lround(seconds)));
+    text += name + " " + std::to_string(static_cast<int>(std::lround(seconds))) + ", ";
   }
-  return text;
+  return text.substr(0, text.size() - 2) + ".";
 }
 
 //------------------------------------------------------------------------------
@@ -360,7 +359,7 @@ void DeclareBench(CLI::App& app, const std::string& commandLine)
     ->allow_extra_args(false)
     ->group("Technique");
   Values::AddNumber(*command, "--budget", options->Budget, { 1.0, 1e6 },
-    "Seconds that all of it shall take, of each suite (default: " + GetBudgets() + ")")
+    "Seconds that all of it shall take, of each suite (default 100, or the suite's)")
     ->type_name("SECONDS");
   command->add_option("--frames", options->Frames, "Frames that a median wants (default 15)")
     ->type_name("N")
@@ -374,5 +373,6 @@ void DeclareBench(CLI::App& app, const std::string& commandLine)
     ->add_option("-o,--output", options->Output,
       "Folder for results.json, results.csv and report.html; of several suites a folder each in it")
     ->type_name("DIR");
+  command->footer(GetBudgets); // read only where the help is asked for
   command->callback([command, options, commandLine] { Bench(*command, *options, commandLine); });
 }
