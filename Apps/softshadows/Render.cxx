@@ -30,7 +30,7 @@ struct RenderOptions
 {
   SceneOptions Scene;
   TechniqueOptions Parameters;
-  std::string Technique = "map-pcss";
+  std::string Technique;
   std::string DebugView;
   std::string Picture;
   std::string Visibility;
@@ -194,8 +194,8 @@ void DeclareRender(CLI::App& app)
   options->Scene.Declare(*command);
   command
     ->add_option("--technique", options->Technique,
-      "Which technique (default " + options->Technique +
-        "; see \"softshadows list\"), or none: no shadows")
+      "Which technique (default map-pcss, and map-soft in the studio's light, which stands still;\n"
+      "see \"softshadows list\"), or none: no shadows")
     ->type_name("NAME")
     ->group("Technique");
   options->Parameters.Declare(*command);
@@ -218,5 +218,13 @@ void DeclareRender(CLI::App& app)
       "Draw once (default), or give the median time of N frames after a first one")
     ->type_name("N");
   command->add_flag("--json", options->AsJson, "Print the figures as JSON");
-  command->callback([options] { Render(*options); });
+  command->callback(
+    [options]
+    {
+      if (options->Technique.empty())
+      {
+        options->Technique = options->Scene.UsesStudio() ? "map-soft" : "map-pcss";
+      }
+      Render(*options);
+    });
 }
