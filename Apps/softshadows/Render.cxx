@@ -224,6 +224,12 @@ void DeclareRender(CLI::App& app)
       if (options->Technique.empty())
       {
         options->Technique = options->Scene.UsesStudio() ? "map-soft" : "map-pcss";
+        if (options->Scene.UsesStudio())
+        {
+          // Its maps are kept. What the user sets comes after.
+          auto& settings = options->Parameters.Settings;
+          settings.insert(settings.begin(), { "", "midpoint", "on" });
+        }
       }
       Render(*options);
     });

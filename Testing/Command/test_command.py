@@ -121,7 +121,8 @@ class Render(CommandTest):
 
     def test_shadow_catcher(self):
         model = self.write("a.obj", models.obj())
-        options = ["render", model, *SMALL, "--ground", "--technique", "map-hard"]
+        options = ["render", model, *SMALL, "--ground", "--technique", "map-hard",
+                   "--samples-per-pixel", "0"]  # a pixel is in shadow or not
         self.succeed(*options, "-o", "catcher.png", "--shadow-catcher")
         self.succeed(*options, "-o", "picture.png")
         alpha = read_png(self.path("catcher.png"))[..., 3]
