@@ -40,6 +40,8 @@ def draw(name, scene, technique, options):
         vtksoftshadows.enable(renderer, technique)
     else:
         parameters = {key: value for key, value in options.items() if key == "samples"}
+        if technique == "map-soft":
+            parameters["midpoint"] = True  # as enable() has it in the studio
         vtksoftshadows.studio(renderer, **{key: value for key, value in options.items()
                                            if key != "samples"})
         vtksoftshadows.enable(renderer, technique, **parameters)

@@ -31,7 +31,7 @@ struct RenderOptions
 {
   SceneOptions Scene;
   TechniqueOptions Parameters;
-  std::string Technique = "map-pcss";
+  std::string Technique;
   std::string DebugView;
   std::string Picture;
   std::string Visibility;
@@ -194,8 +194,8 @@ void DeclareRender(CLI::App& app)
   options->Scene.Declare(*command);
   command
     ->add_option("--technique", options->Technique,
-      "Which technique (default " + options->Technique +
-        "; see \"softshadows list\"), or none: no shadows")
+      "Which technique (default map-pcss, and map-soft in the studio's light, which stands still;\n"
+      "see \"softshadows list\"), or none: no shadows")
     ->type_name("NAME")
     ->group("Technique");
   options->Parameters.Declare(*command);
@@ -220,5 +220,18 @@ void DeclareRender(CLI::App& app)
     ->check(CLI::Range(1, 10000));
   command->add_flag("--json", options->AsJson, "Print the figures as JSON");
   command->callback(
-    [options] { WithinMemory(options->Scene.Size, [options] { Render(*options); }); });
+    [options]
+    {
+      if (options->Technique.empty())
+      {
+        options->Technique = options->Scene.UsesStudio() ? "map-soft" : "map-pcss";
+        if (options->Scene.UsesStudio())
+        {
+          // Its maps are kept. What the user sets comes after.
+          auto& settings = options->Parameters.Settings;
+          settings.insert(settings.begin(), { "", "midpoint", "on" });
+        }
+      }
+      WithinMemory(options->Scene.Size, [options] { Render(*options); });
+    });
 }

@@ -201,12 +201,18 @@ void SceneOptions::Check() const
 }
 
 //------------------------------------------------------------------------------
+bool SceneOptions::UsesStudio() const
+{
+  return this->Studio && this->Builtin.empty() && !this->Light.IsAny();
+}
+
+//------------------------------------------------------------------------------
 Scene SceneOptions::Build(vtkRenderer* renderer) const
 {
   Scene scene;
   const std::string axis = !this->Up.empty() ? this->Up : (this->Builtin.empty() ? "y" : "z");
   const int up = axis[0] - 'x';
-  const bool studio = this->Studio && this->Builtin.empty() && !this->Light.IsAny();
+  const bool studio = this->UsesStudio();
   if (!this->Builtin.empty())
   {
     scene.Name = this->Builtin;

@@ -69,6 +69,8 @@ struct SceneOptions
   /** Models whose light no option names stand in a studio (vtkShadowStudio). */
   bool Studio = false;
 
+  bool UsesStudio() const;
+
   /** All options, and the models as positional arguments. */
   void Declare(CLI::App& command);
   /** WrongUsage or Failure for options that cannot be; nothing is read yet. */

@@ -177,5 +177,6 @@ void vtkAreaLight::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UpVector: " << this->UpVector[0] << ", " << this->UpVector[1] << ", "
      << this->UpVector[2] << "\n";
   os << indent << "AngularDiameter: " << this->AngularDiameter << "\n";
+  os << indent << "Placed: " << this->Placed << "\n";
   os << indent << "Texture: " << this->Texture.Get() << "\n";
 }

@@ -306,6 +306,15 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
   {
     return false;
   }
+  const auto& counts = stages.GetFrame().Counts;
+  const auto large = counts.find("lightsTooLarge");
+  if (vtkShadowPass::GetAdvice() && !my.Advised && large != counts.end() && large->second > 0.0)
+  {
+    my.Advised = true;
+    my.Messages.Warn(
+      "a light is seen by what casts under more than 28 degrees, and a filter of one map "
+      "takes what hides it for one thing: \"map-soft\" is right there.");
+  }
   return stages.Guard(*my.Technique,
     [&]
     {

@@ -3,12 +3,19 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
+#include "vtkShadowCasters.h"
 #include "vtkShadowFrame.h"
 #include "vtkShadowMapKernelFS.h"
 #include "vtkShadowMapPattern.h"
 #include "vtkShadowMaps.h"
 #include "vtkShadowMessages.h"
 #include "vtkShadowOpenGL.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
 
 //------------------------------------------------------------------------------
 vtkFilteredShadowMapTechnique::vtkFilteredShadowMapTechnique(const vtkShadowSettings& settings)
@@ -49,7 +56,25 @@ bool vtkFilteredShadowMapTechnique::UpdateLightData(vtkShadowFrame& frame)
       "a light is among its casters and larger than three fifths of its distance from "
       "one: penumbrae that reach further beyond the face of its cube are drawn in.");
   }
+  frame.Counts["lightsTooLarge"] = this->CountLargeLights(frame);
   return true;
+}
+
+//------------------------------------------------------------------------------
+// One map from the light's centre and one mean blocker stand for less and less of what a light sees, the
+// larger it is.
+double vtkFilteredShadowMapTechnique::CountLargeLights(const vtkShadowFrame& frame) const
+{
+  constexpr double largest = 0.25; // tangent of half its angle: 28 degrees across
+  std::vector<int> all(frame.Casters->Get().size());
+  std::iota(all.begin(), all.end(), 0);
+  const glm::dvec3 middle = frame.Casters->GetMiddle(all) + frame.Casters->GetOrigin();
+  return static_cast<double>(std::count_if(frame.Lights.begin(), frame.Lights.end(),
+    [&](const vtkShadowLight& light)
+    {
+      const double distance = light.IsDirectional() ? 1.0 : glm::length(light.Position - middle);
+      return std::max(glm::length(light.U), glm::length(light.V)) > largest * distance;
+    }));
 }
 
 //------------------------------------------------------------------------------

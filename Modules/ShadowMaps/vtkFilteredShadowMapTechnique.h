@@ -60,6 +60,8 @@ protected:
   std::unique_ptr<vtkShadowMapPattern> Filter;
 
 private:
+  double CountLargeLights(const vtkShadowFrame& frame) const;
+
   vtkMTimeType PatternTime = 0; // of the parameters that the patterns were made from
 };
 

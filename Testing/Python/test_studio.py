@@ -262,6 +262,12 @@ class Sizes(TestCase):
         self.assertIn("the light at (0.9, -0.5, 1.3) lies inside the scene", said)
         self.assertEqual(self.say(lambda light: light.SetShapeToPoint()), "")  # as it was said
 
+    def test_a_light_that_is_too_large_for_a_filter(self):
+        def change(light):
+            light.SetRadius(2.5)  # from six away, of a scene of eight
+        self.assertIn('"map-soft" is right there', self.say(change))
+        self.assertEqual(self.say(change, "map-soft"), "")
+
     def test_headlights(self):
         stage = Stage()
         stage.add_things()

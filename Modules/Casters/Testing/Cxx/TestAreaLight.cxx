@@ -4,6 +4,7 @@
 #include "ShadowTesting.h"
 
 #include "vtkAreaLight.h"
+#include "vtkCallbackCommand.h"
 #include "vtkInformation.h"
 #include "vtkLight.h"
 #include "vtkMatrix4x4.h"
@@ -55,15 +56,25 @@ void TestClamps()
   CHECK_EQUAL(light->GetShape(), vtkAreaLight::Point);
   light->SetShape(99);
   CHECK_EQUAL(light->GetShape(), vtkAreaLight::Rectangle);
+  // What is no size is refused, with an error each.
+  int errors = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&errors);
+  count->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
+  light->AddObserver(vtkCommand::ErrorEvent, count);
   light->SetRadius(-1.0);
-  CHECK_EQUAL(light->GetRadius(), 0.0);
+  CHECK_EQUAL(light->GetRadius(), 0.5);
   light->SetWidth(-1.0);
-  CHECK_EQUAL(light->GetWidth(), 0.0);
+  CHECK_EQUAL(light->GetWidth(), 1.0);
   light->SetHeight(-1.0);
-  CHECK_EQUAL(light->GetHeight(), 0.0);
+  CHECK_EQUAL(light->GetHeight(), 1.0);
   light->SetAngularDiameter(-1.0);
   CHECK_EQUAL(light->GetAngularDiameter(), 0.0);
+  CHECK_EQUAL(errors, 4);
+  CHECK(!light->GetPlaced());
   light->SetAngularDiameter(180.0);
+  CHECK(light->GetPlaced());
   CHECK_EQUAL(light->GetAngularDiameter(), 90.0);
 }
 
