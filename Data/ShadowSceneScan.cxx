@@ -39,7 +39,7 @@ double GetRadius(vtkPerlinNoise* noise, const vtkVector3d& direction)
     }
     const double value = noise->EvaluateFunction(place);
     radius += amplitude * (octave == 2 ? 0.4 - std::abs(2.0 * value) : value);
-    amplitude *= 0.5;
+    amplitude *= 0.4;
     frequency *= 2.1;
   }
   return radius;

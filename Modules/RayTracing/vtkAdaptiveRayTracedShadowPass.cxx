@@ -32,7 +32,8 @@ vtkShadowDeclaration Adaptive()
     "Side of the maps that tell what sees all of a light; 0: automatic. It changes the time alone")
                            .In("texels"));
   t.Resources = { "on the CPU: Embree's structures, about 100 bytes a triangle",
-    "maps, 4 bytes a texel, and a pyramid, 2.7 bytes a texel, map-resolution^2 each view of a light",
+    "maps, 4 bytes a texel, and a pyramid, 2.7 bytes a texel, map-resolution^2 each view of a "
+    "light",
     "receivers 16 bytes, depth 4 bytes, selection 20 bytes (40 with several lights), visibility 4 "
     "bytes "
     "a light (16 textured), each a pixel" };

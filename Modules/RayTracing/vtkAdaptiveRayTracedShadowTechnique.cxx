@@ -84,12 +84,15 @@ void vtkAdaptiveRayTracedShadowTechnique::FillVisibility(
       this->Select(frame, buffer, i + 1); // while this part is traced
     }
     const auto& chosen = this->Selections[i % 2].Finish();
-    Receivers receivers;
-    receivers.reserve(chosen.size());
-    for (const auto& pixel : chosen)
-    {
-      receivers.push_back(MakeReceiver(frame, pixel.Receiver, pixel.Number));
-    }
+    Receivers receivers(chosen.size());
+    vtkShadowRayTracer::ForAll(chosen.size(), 1024,
+      [&](std::size_t first, std::size_t end)
+      {
+        for (std::size_t k = first; k < end; ++k)
+        {
+          receivers[k] = MakeReceiver(frame, chosen[k].Receiver, chosen[k].Number);
+        }
+      });
     this->FindPositions(frame, buffer.GetWidth(), buffer.GetHeight(), receivers);
     const vtkShadowRayTracer::Target target = this->GetTarget(frame, i, steps);
     vtkShadowRayFront front(

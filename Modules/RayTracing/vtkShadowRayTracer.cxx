@@ -307,9 +307,11 @@ void vtkShadowRayTracer::FindPositions(
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     rtcIntersect1(scene, &context, &ray);
-    if (ray.hit.geomID != RTC_INVALID_GEOMETRY_ID)
+    const glm::dvec3 found = from + (first + ray.ray.tfar) * along;
+    if (ray.hit.geomID != RTC_INVALID_GEOMETRY_ID &&
+        glm::length(found - receiver.Position) <= 2.0 * reach)
     {
-      receiver.Position = from + (first + ray.ray.tfar) * along;
+      receiver.Position = found;
       receiver.Height = 0.0;
     }
   }
@@ -332,15 +334,23 @@ double vtkShadowRayTracer::Trace(const Target& target,
   const vtkShadowRayPackets packets{ scene, my.Flat, light, place, target.Origin, my.Patterns,
     receivers, seen };
   std::atomic<std::size_t> traced{ 0 };
-  const auto work = [&](const tbb::blocked_range<std::size_t>& range)
-  {
-    traced +=
-      packets.Trace(my.Packet, chosen.data() + range.begin(), chosen.data() + range.end(), wanted);
-  };
-  // All cores, in an arena of this call's own: vtkSMPTools' backend is the whole program's, and may be
-  // one thread.
+  vtkShadowRayTracer::ForAll(chosen.size(), 256,
+    [&](std::size_t first, std::size_t end)
+    { traced += packets.Trace(my.Packet, chosen.data() + first, chosen.data() + end, wanted); });
+  return static_cast<double>(traced);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowRayTracer::ForAll(std::size_t count, std::size_t grain,
+  const std::function<void(std::size_t first, std::size_t end)>& function)
+{
+  // In an arena of this call's own: vtkSMPTools' backend is the whole program's, and may be one thread.
+  using Range = tbb::blocked_range<std::size_t>;
   tbb::task_arena arena;
   arena.execute(
-    [&]() { tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chosen.size(), 256), work); });
-  return static_cast<double>(traced);
+    [&]()
+    {
+      tbb::parallel_for(Range(0, count, grain),
+        [&function](const Range& range) { function(range.begin(), range.end()); });
+    });
 }

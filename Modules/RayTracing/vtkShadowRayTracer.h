@@ -8,6 +8,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <string>
@@ -80,6 +81,10 @@ public:
   /** Whether a receiver's rays can decide anything: its own surface does not hide the whole light. */
   static bool NeedsRays(
     const vtkShadowLight& light, const glm::dvec3& origin, const vtkShadowRayReceiver& receiver);
+
+  /** Call a function for each of so many, on all cores, in chunks of `grain`. */
+  static void ForAll(std::size_t count, std::size_t grain,
+    const std::function<void(std::size_t first, std::size_t end)>& function);
 
   void Clear();
 

@@ -7,7 +7,7 @@
 layout(points) in;
 layout(points, max_vertices = SHADOW_PIXELS) out;
 
-ivec2 shadowSelectPixel; // that is asked for
+ivec2 shadowSelectPixel = ivec2(0); // that is asked for
 
 //SHADOW::Declarations
 
