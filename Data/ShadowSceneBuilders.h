@@ -36,6 +36,9 @@ void Tree(vtkRenderer* renderer, int triangles);
 // ShadowScenePlant.cxx
 void Plant(vtkRenderer* renderer, int triangles);
 
+// ShadowSceneScan.cxx
+void Scan(vtkRenderer* renderer, int triangles);
+
 // ShadowSceneData.cxx
 void Isosurface(vtkRenderer* renderer, int triangles);
 void Streamtubes(vtkRenderer* renderer, int triangles);

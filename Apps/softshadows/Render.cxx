@@ -38,6 +38,7 @@ struct RenderOptions
   std::string Statistics;
   int Frames = 1;
   bool ShadowCatcher = false;
+  bool Error = false;
   bool AsJson = false;
 };
 
@@ -52,6 +53,7 @@ vtkSmartPointer<vtkShadowPass> MakePass(const RenderOptions& options)
                             : !options.Parameters.Settings.empty() ? "--set"
                             : !options.Parameters.Quality.empty()  ? "--quality"
                             : options.ShadowCatcher                ? "--shadow-catcher"
+                            : options.Error                        ? "--error"
                                                                    : nullptr;
     if (pointless)
     {
@@ -152,6 +154,14 @@ void Render(const RenderOptions& options)
     outputs.StagePicture(options.Visibility, visibility);
   }
 
+  Json error;
+  if (options.Error)
+  {
+    const std::string text = pass->GetErrorEstimate(scene.Light);
+    Messages::Check();
+    error = Json::parse(text);
+  }
+
   Json statistics = { { "technique", options.Technique },
     { "parameters", pass ? Techniques::GetParameters(pass) : Json() }, { "scene", scene.GetJSON() },
     { "size", options.Scene.Size }, { "frames", options.Frames },
@@ -177,6 +187,18 @@ void Render(const RenderOptions& options)
   std::printf("%s: %lld triangles, %dx%d, %.1f ms (%s), written to %s\n", options.Technique.c_str(),
     static_cast<long long>(scene.Triangles), options.Scene.Size[0], options.Scene.Size[1], time,
     how.c_str(), Messages::GetPrintable(options.Picture).c_str());
+  for (const char* which : { "receivers", "penumbrae" })
+  {
+    if (options.Error)
+    {
+      const Json& figures = error[which];
+      std::printf(
+        "error of visibility, %s: RMSE %.4f (%.4f to %.4f), bias %+.4f (%+.4f to %+.4f)\n", which,
+        figures["rmse"].get<double>(), figures["rmseInterval"][0].get<double>(),
+        figures["rmseInterval"][1].get<double>(), figures["bias"].get<double>(),
+        figures["biasInterval"][0].get<double>(), figures["biasInterval"][1].get<double>());
+    }
+  }
 }
 }
 
@@ -211,6 +233,8 @@ void DeclareRender(CLI::App& app)
   command
     ->add_option("--visibility", options->Visibility, "Write the light's visibility (exr, tif)")
     ->type_name("FILE");
+  command->add_flag("--error", options->Error,
+    "Estimate the error of the light's visibility, by rays from some two thousand pixels");
   command->add_option("--stats", options->Statistics, "Write the figures of the frame as JSON")
     ->type_name("FILE");
   command

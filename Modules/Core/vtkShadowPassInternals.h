@@ -7,6 +7,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderPass.h"
 #include "vtkRenderer.h"
+#include "vtkShadowErrorEstimate.h"
 #include "vtkShadowInjector.h"
 #include "vtkShadowMessages.h"
 #include "vtkShadowPass.h"
@@ -64,6 +65,9 @@ public:
   vtkShadowStages Stages;
   vtkShadowInjector Injector;
   vtkShadowReadback Readback;
+  vtkShadowErrorEstimate Error;
+  nlohmann::ordered_json Errors; // that were estimated of a frame, by the light's number
+  unsigned long ErrorFrame = 0;  // and which frame
   std::vector<vtkSmartPointer<vtkProp>> Props; // what survived culling, while it is drawn
   int Size[2] = { 0, 0 };
   bool HasCatchers = false;    // among the props

@@ -219,6 +219,7 @@ void vtkShadowPass::ReleaseGraphicsResources(vtkWindow* window)
   {
     my.At.Holding = false;
     my.Stages.Release(glWindow);
+    my.Error.Release(glWindow);
     if (my.Technique)
     {
       my.Technique->Release(glWindow);

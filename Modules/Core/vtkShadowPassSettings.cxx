@@ -237,6 +237,10 @@ std::string vtkShadowPass::GetStatistics()
   json["milliseconds"] = stages.GetTimers().GetMilliseconds();
   json["counts"] = stages.GetFrame().Counts;
   json["lights"] = stages.GetLightNotes();
+  if (my.ErrorFrame == my.Frames && !my.Errors.empty())
+  {
+    json["errors"] = my.Errors;
+  }
   std::size_t total = stages.GetCasterBytes() + stages.GetBufferBytes();
   json["bytes"]["casters"] = stages.GetCasterBytes();
   json["bytes"]["buffers"] = stages.GetBufferBytes();

@@ -8,6 +8,7 @@
 #include "vtkShadowPassInternals.h"
 
 #include <algorithm>
+#include <chrono>
 #include <vector>
 
 namespace
@@ -132,4 +133,62 @@ vtkImageData* vtkShadowPass::MakeVisibility(vtkLight* light)
 {
   vtkShadowStages& stages = this->Internal->Stages;
   return this->Internal->Readback.Make(stages.GetFrame(), stages.Opaque, light, stages.GetLights());
+}
+
+//------------------------------------------------------------------------------
+std::string vtkShadowPass::GetErrorEstimate(vtkLight* light)
+{
+  if (vtkShadowPass* copy = this->Internal->At.Copy)
+  {
+    return copy->GetErrorEstimate(light);
+  }
+  vtkImageData* visibility = this->GetVisibility(light);
+  const auto lights = this->Internal->Stages.GetLights();
+  const auto found = std::find(lights.begin(), lights.end(), light);
+  return visibility ? this->EstimateError(visibility, static_cast<int>(found - lights.begin()))
+                    : "";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkShadowPass::GetErrorEstimate(int light)
+{
+  if (vtkShadowPass* copy = this->Internal->At.Copy)
+  {
+    return copy->GetErrorEstimate(light);
+  }
+  vtkImageData* visibility = this->GetVisibility(light);
+  return visibility ? this->EstimateError(visibility, light) : "";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkShadowPass::EstimateError(vtkImageData* visibility, int light)
+{
+  Internals& my = *this->Internal;
+  if (!vtkShadowErrorEstimate::IsPossible())
+  {
+    vtkErrorMacro(
+      "GetErrorEstimate: this program has no rays to compare with: the technique ray-traced "
+      "is missing (module RayTracing, which needs Embree).");
+    return "";
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const auto lights = my.Stages.GetLights();
+  vtkOpenGLState* state = my.At.Window->GetState();
+  state->Push();
+  auto json = my.Error.Make(my.Stages.GetFrame(), my.Stages.Opaque.Receivers, visibility,
+    lights.empty() ? nullptr : lights[light]);
+  state->Pop();
+  if (json.is_null())
+  {
+    return "";
+  }
+  json["milliseconds"] =
+    std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  if (my.ErrorFrame != my.Frames)
+  {
+    my.Errors = nlohmann::ordered_json::object();
+    my.ErrorFrame = my.Frames;
+  }
+  my.Errors[std::to_string(light)] = json;
+  return json.dump(2);
 }

@@ -365,7 +365,7 @@ void vtkShadowCasterDrawing::Draw(vtkOpenGLRenderWindow* window, const glm::dmat
     for (const int i : casters)
     {
       const vtkShadowCaster& caster = this->Casters.Get()[i];
-      const vtkShadowHoles* ofCaster = caster.Mesh->Holes.get();
+      const vtkShadowHoles* ofCaster = how.FillHoles ? nullptr : caster.Mesh->Holes.get();
       if ((ofCaster != nullptr) != holes)
       {
         continue;

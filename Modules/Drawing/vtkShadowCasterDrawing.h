@@ -44,6 +44,8 @@ struct vtkShadowCasterDraw
   const char* FragmentShader = nullptr;
   /** What the fragment shader begins with, for constants that choose among its variants. */
   std::string Definitions;
+  /** Draw holes too: for shaders without those marks. */
+  bool FillHoles = false;
   /** Set uniforms, once; and for each caster, before its draw calls. */
   std::function<void(vtkShaderProgram*)> SetParameters;
   std::function<void(vtkShaderProgram*, const vtkShadowCaster&)> SetCasterParameters;

@@ -14,6 +14,9 @@
 
 namespace
 {
+/** A vertex each costs a software rasterizer far more than what is asked of it. */
+constexpr int PixelsOfVertex = 16;
+
 /** Names of what is captured, as VTK wants them: always one object, or it links the program anew. */
 vtkTransformFeedback* GetCaptured()
 {
@@ -35,11 +38,15 @@ void vtkShadowSelection::Start(vtkShadowFrame& frame, vtkShadowReceivers& receiv
 {
   this->Pending = false;
   this->Pixels.clear();
+  const std::string pixels = std::to_string(PixelsOfVertex);
   std::string vertex = vtkShadowSelectionVS;
-  vtkShaderProgram::Substitute(
-    vertex, "//SHADOW::Declarations", frame.GetLightsGLSL() + vtkShadowReceivers::GetGLSL() + GLSL);
+  std::string geometry = vtkShadowSelectionGS;
+  vtkShaderProgram::Substitute(vertex, "SHADOW_PIXELS", pixels);
+  vtkShaderProgram::Substitute(geometry, "SHADOW_PIXELS", pixels);
+  vtkShaderProgram::Substitute(geometry, "//SHADOW::Declarations",
+    frame.GetLightsGLSL() + vtkShadowReceivers::GetGLSL() + GLSL);
   vtkShaderProgram* program = frame.Window->GetShaderCache()->ReadyShaderProgram(
-    vertex.c_str(), "//VTK::System::Dec\nvoid main() {}\n", vtkShadowSelectionGS, GetCaptured());
+    vertex.c_str(), "//VTK::System::Dec\nvoid main() {}\n", geometry.c_str(), GetCaptured());
   if (!program)
   {
     return;
@@ -62,7 +69,6 @@ void vtkShadowSelection::Start(vtkShadowFrame& frame, vtkShadowReceivers& receiv
   vtkShadowTexture& texture = receivers.GetTexture();
   texture.Activate(frame.Window);
   program->SetUniformi("shadowReceivers", texture.GetUnit());
-  program->SetUniformi("shadowWidth", receivers.GetWidth());
   frame.SetLights(program);
   if (setParameters)
   {
@@ -73,7 +79,7 @@ void vtkShadowSelection::Start(vtkShadowFrame& frame, vtkShadowReceivers& receiv
   glEnable(GL_RASTERIZER_DISCARD);
   glBeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, this->Query);
   glBeginTransformFeedback(GL_POINTS);
-  glDrawArrays(GL_POINTS, 0, count);
+  glDrawArrays(GL_POINTS, 0, (count + PixelsOfVertex - 1) / PixelsOfVertex);
   glEndTransformFeedback();
   glEndQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
   glDisable(GL_RASTERIZER_DISCARD);

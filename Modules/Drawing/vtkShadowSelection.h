@@ -38,7 +38,7 @@ public:
 
   /**
    * Choose the pixels where GLSL gives true: `bool shadowSelect(vec4 receiverVC)`, asked only where there
-   * is a finite receiver, with the lights and what reads receivers at hand.
+   * is a finite receiver, with the lights, what reads receivers and `ivec2 shadowSelectPixel` at hand.
    */
   void Start(vtkShadowFrame& frame, vtkShadowReceivers& receivers, const std::string& GLSL,
     const std::function<void(vtkShaderProgram*)>& setParameters = nullptr);

@@ -6,6 +6,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkRayTracedShadowTechnique.h"
 #include "vtkShadowDeclaration.h"
+#include "vtkShadowRayParameters.h"
 
 vtkShadowPassOfTechniqueMacro(vtkRayTracedShadowPass, "ray-traced");
 vtkShadowTechniqueAutoInit(VTKSOFTSHADOWSRAYTRACING_EXPORT, vtkSoftShadowsRayTracing);
@@ -23,13 +24,7 @@ vtkShadowDeclaration RayTraced()
     "SIGGRAPH 2014";
   t.SetClasses<vtkRayTracedShadowTechnique, vtkRayTracedShadowPass>("vtkRayTracedShadowPass");
   t.LightShapes.fill(Support::Exact);
-  t.Parameters = { vtkShadowParameter::Integer(
-                     "samples", 64, 1, 16384, "Rays from each pixel to each light")
-                     .In("rays")
-                     .At({ 4, 16, 64, 1024 })
-                     .AtPreview(1),
-    vtkShadowParameter::Integer("seed", 0, 0, 65535,
-      "Another seed gives other rays: how two pictures differ tells their noise") };
+  t.Parameters = vtkShadowRayParameters::Get();
   t.Resources = { "on the CPU: Embree's structures, about 100 bytes a triangle",
     "on the GPU: receivers 16 bytes, depth 4 bytes, visibility 4 bytes a light (16 textured), "
     "each a pixel" };
