@@ -269,6 +269,25 @@ std::vector<vtkLightSample> vtkShadowCasters::GetPlaces(
 }
 
 //------------------------------------------------------------------------------
+std::vector<vtkLightSample> vtkShadowCasters::GetMiddles(
+  const vtkShadowLight& light, int count, const std::vector<int>& casters) const
+{
+  const int side = light.IsPoint() ? 1 : static_cast<int>(std::lround(std::sqrt(count)));
+  if (side == 1)
+  {
+    return this->GetPlaces(light, 1, casters);
+  }
+  const glm::dvec3 receiver = this->GetMiddle(casters) + this->Origin;
+  std::vector<vtkLightSample> samples;
+  for (int i = 0; i < side * side; ++i)
+  {
+    const glm::dvec2 unit((i % side + 0.5) / side, (i / side + 0.5) / side);
+    samples.push_back({ light.Map(unit, receiver), glm::dvec3(1.0 / (side * side)) });
+  }
+  return samples;
+}
+
+//------------------------------------------------------------------------------
 std::size_t vtkShadowCasters::GetNumberOfVertices() const
 {
   return Sum(this->Casters, [](const vtkShadowMesh& m) { return m.GetNumberOfVertices(); });

@@ -73,7 +73,7 @@ void vtkShadowVolumes::Update(vtkShadowFrame& frame, const vtkShadowVolumeSettin
   {
     frame.Counts[name] = 0;
   }
-  this->Silhouettes.Update(frame, settings.Samples, settings.MemoryLimit);
+  this->Silhouettes.Update(frame, settings.Silhouettes);
   if (this->CapVersion != this->Silhouettes.GetVersion())
   {
     this->CapVersion = this->Silhouettes.GetVersion();
@@ -180,7 +180,7 @@ vtkShadowVolumes::Selection vtkShadowVolumes::Select(vtkShadowFrame& frame, int 
   for (const auto& part : silhouette.Parts)
   {
     const vtkShadowCaster& caster = frame.Casters->Get()[part.Caster];
-    if (this->IsOutOfView(caster, place))
+    if (this->IsOutOfView(caster, { place }))
     {
       ++frame.Counts["volumesOutOfView"];
     }
@@ -219,21 +219,38 @@ vtkShadowVolumes::Selection vtkShadowVolumes::Select(vtkShadowFrame& frame, int 
 }
 
 //------------------------------------------------------------------------------
-bool vtkShadowVolumes::IsOutOfView(const vtkShadowCaster& caster, const glm::dvec4& place) const
+bool vtkShadowVolumes::IsOutOfView(
+  const vtkShadowCaster& caster, const std::vector<glm::dvec4>& places) const
 {
   return std::any_of(this->FrustumPlanes.begin(), this->FrustumPlanes.end(),
     [&](const glm::dvec4& plane)
     {
       // All of the caster is outside, and the light not further out: then so is all that is behind.
-      const double light = place.w == 0.0 ? glm::dot(glm::dvec3(plane), glm::dvec3(place)) : 0.0;
+      double outermost = std::numeric_limits<double>::max();
+      bool directional = false;
+      for (const auto& place : places)
+      {
+        directional = place.w == 0.0;
+        outermost = std::min(outermost, glm::dot(plane, place));
+      }
       return std::all_of(caster.Corners.begin(), caster.Corners.end(),
         [&](const glm::dvec3& corner)
         {
           const double side = Side(plane, corner);
-          return side < 0.0 &&
-                 (place.w == 0.0 ? light >= 0.0 : side <= Side(plane, glm::dvec3(place)));
+          return side < 0.0 && (directional ? outermost >= 0.0 : side <= outermost);
         });
     });
+}
+
+//------------------------------------------------------------------------------
+double vtkShadowVolumes::GetReach(const glm::dvec3& from) const
+{
+  double reach = 0.0;
+  for (const auto& corner : this->FrustumCorners)
+  {
+    reach = std::max(reach, glm::length(corner - from));
+  }
+  return this->Parallel ? reach : 0.0;
 }
 
 //------------------------------------------------------------------------------

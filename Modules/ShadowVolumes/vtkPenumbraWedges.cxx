@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPenumbraWedges.h"
+
+#include "vtkPenumbraLightFS.h"
+#include "vtkShaderProgram.h"
+#include "vtkShadowCasters.h"
+#include "vtkShadowFrame.h"
+#include "vtkShadowOpenGL.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+
+namespace
+{
+using Shape = vtkShadowLight::Shape;
+
+/** So many boxes of receivers are compared with each wedge at most. */
+constexpr std::size_t MostBoxes = 64;
+
+glm::dvec3 GetVertex(const vtkShadowCaster& caster, std::uint32_t vertex)
+{
+  const float* p = &caster.Mesh->Positions[3 * static_cast<std::size_t>(vertex)];
+  return glm::dvec3(caster.MeshToSWC * glm::dvec4(p[0], p[1], p[2], 1.0));
+}
+
+template <typename Vector>
+void Append(std::vector<float>& values, const Vector& vector)
+{
+  for (int c = 0; c < Vector::length(); ++c)
+  {
+    values.push_back(static_cast<float>(vector[c]));
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkPenumbraWedges::Boxes vtkPenumbraWedges::GetReceivers(const vtkShadowCasters& casters)
+{
+  Boxes boxes = casters.GetReceivers();
+  for (const auto& caster : casters.Get())
+  {
+    if (caster.Receives)
+    {
+      boxes.push_back(caster.Corners);
+    }
+  }
+  return boxes.size() > MostBoxes ? Boxes() : boxes;
+}
+
+//------------------------------------------------------------------------------
+void vtkPenumbraWedges::AddWedge(const vtkShadowWedgeEdge& edge, vtkShadowWedge::Bounds bounds,
+  const Boxes& boxes, std::vector<float>& values)
+{
+  vtkShadowWedge wedge;
+  wedge.Bound(this->Light, edge.Ends, bounds);
+  if (wedge.Triangles.empty())
+  {
+    return;
+  }
+  if (!boxes.empty() && std::all_of(boxes.begin(), boxes.end(),
+                          [&](const std::array<glm::dvec3, 8>& box)
+                          { return wedge.Misses(box.data(), 8); }))
+  {
+    ++this->Culled;
+    return;
+  }
+  for (const auto& corner : wedge.Triangles)
+  {
+    Append(values, glm::dvec4(corner.Base, corner.Kind));
+    Append(values, corner.Along);
+    Append(values, edge.Ends[0]);
+    Append(values, edge.Ends[1]);
+    Append(values, edge.Plane);
+    values.push_back(static_cast<float>(edge.Times));
+  }
+  ++this->Wedges;
+  ++this->Parts.back().Wedges;
+  this->Parts.back().Count += wedge.Triangles.size();
+}
+
+//------------------------------------------------------------------------------
+void vtkPenumbraWedges::MakeOfSilhouette(vtkShadowFrame& frame,
+  const vtkShadowSilhouetteCache::Batch& batch, int place, vtkShadowWedge::Bounds bounds)
+{
+  const auto& lines = batch.Silhouettes.GetLines();
+  std::vector<glm::vec4> planes(std::max<std::size_t>(1, lines.size() / 2));
+  std::vector<float> values;
+  this->Parts.clear();
+  this->Wedges = this->Culled = 0;
+  const Boxes boxes = GetReceivers(*frame.Casters);
+  std::size_t corners = 0;
+  for (const auto& part : vtkShadowSilhouetteCache::Get(batch, place).Parts)
+  {
+    const vtkShadowCaster& caster = frame.Casters->Get()[part.Caster];
+    this->Parts.push_back({ part.Caster, corners, 0, 0 });
+    for (std::size_t i = part.First; i < part.First + part.Count;)
+    {
+      vtkShadowWedgeEdge edge;
+      edge.Ends[0] = GetVertex(caster, lines[i]);
+      edge.Ends[1] = GetVertex(caster, lines[i + 1]);
+      edge.SetPlane(this->Light.Place);
+      edge.Times = 0;
+      // Edges that count several times stand one after another.
+      for (const std::size_t same = i; i < part.First + part.Count && lines[i] == lines[same] &&
+           lines[i + 1] == lines[same + 1];
+           i += 2)
+      {
+        planes[i / 2] = glm::vec4(edge.Plane);
+        ++edge.Times;
+      }
+      if (edge.Plane != glm::dvec4(0.0))
+      {
+        this->AddWedge(edge, bounds, boxes, values);
+      }
+    }
+    corners += this->Parts.back().Count;
+  }
+  this->Planes.UploadBuffer(frame.Window, planes);
+  glBindVertexArray(0);
+  this->Vertices.Upload(values,
+    { { "wedgeBaseSWC", 4 }, { "wedgeAlongSWC", 3 }, { "wedgeFromSWC", 3 }, { "wedgeToSWC", 3 },
+      { "wedgePlaneSWC", 4 }, { "wedgeTimes", 1 } });
+}
+
+//------------------------------------------------------------------------------
+std::vector<glm::dvec4> vtkPenumbraWedges::GetExtremes() const
+{
+  const bool sphere = this->Light.Kind == Shape::Sphere;
+  const double radius = glm::length(this->Light.U);
+  std::vector<glm::dvec4> extremes;
+  for (int i = 0; i < (sphere ? 8 : 4); ++i)
+  {
+    const double x = i & 1 ? 1.0 : -1.0;
+    const double y = i & 2 ? 1.0 : -1.0;
+    const glm::dvec3 reach = sphere ? radius * glm::dvec3(x, y, i & 4 ? 1.0 : -1.0)
+                                    : x * this->Light.U + y * this->Light.V;
+    extremes.push_back(this->Light.Place + glm::dvec4(reach, 0.0));
+  }
+  return extremes;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkPenumbraWedges::GetLightGLSL() const
+{
+  const int shape = this->Light.Kind == Shape::Rectangle ? 0
+                    : this->Light.Kind == Shape::Disk    ? 1
+                    : this->Light.Kind == Shape::Sphere  ? 2
+                                                         : 3;
+  return "#define SHADOW_WEDGE_SHAPE " + std::to_string(shape) + "\n" + vtkPenumbraLightFS;
+}
+
+//------------------------------------------------------------------------------
+void vtkPenumbraWedges::SetLight(const vtkShadowFrame& frame, vtkShaderProgram* program) const
+{
+  const glm::dmat4 SWCToVC = frame.GetSWCToVC();
+  const auto turn = [&](const glm::dvec3& v) { return glm::dvec3(SWCToVC * glm::dvec4(v, 0.0)); };
+  const glm::vec4 placeVC(SWCToVC * this->Light.Place);
+  const glm::dvec3& u = this->Light.U;
+  const glm::dvec3& v = this->Light.V;
+  const glm::vec3 uVC(turn(u / glm::dot(u, u)));
+  const glm::vec3 vVC(turn(v / glm::dot(v, v)));
+  const glm::vec3 normalVC(turn(glm::normalize(glm::cross(glm::normalize(u), glm::normalize(v)))));
+  glm::mat4 VCToSWC(frame.VCToSWC);
+  program->SetUniform4f("shadowAreaPlaceVC", glm::value_ptr(placeVC));
+  program->SetUniform3f("shadowAreaUVC", glm::value_ptr(uVC));
+  program->SetUniform3f("shadowAreaVVC", glm::value_ptr(vVC));
+  program->SetUniform3f("shadowAreaNormalVC", glm::value_ptr(normalVC));
+  program->SetUniformMatrix4x4("shadowVCToSWC", glm::value_ptr(VCToSWC));
+}
+
+//------------------------------------------------------------------------------
+void vtkPenumbraWedges::Draw(vtkShadowFrame& frame, const vtkShadowVolumes& volumes,
+  const glm::dmat4& SWCToDraw, float farthest, const vtkShadowPrograms::Sources& sources,
+  const std::function<void(vtkShaderProgram*)>& setParameters)
+{
+  const auto extremes = this->GetExtremes();
+  glm::mat4 SWCToClip(SWCToDraw);
+  glm::mat4 SWCToVC(frame.GetSWCToVC());
+  double reach = 0.0;
+  std::vector<std::pair<std::size_t, std::size_t>> runs; // of corners, one after another
+  for (const auto& part : this->Parts)
+  {
+    const vtkShadowCaster& caster = frame.Casters->Get()[part.Caster];
+    if (part.Count == 0)
+    {
+      continue;
+    }
+    if (volumes.IsOutOfView(caster, extremes))
+    {
+      frame.Counts["wedgesCulled"] += static_cast<double>(part.Wedges);
+      continue;
+    }
+    frame.Counts["wedgesDrawn"] += static_cast<double>(part.Wedges);
+    const double seen = volumes.GetReach(caster.GetMiddle());
+    reach = std::max(reach, seen > 0.0 ? seen + caster.GetRadius() : 0.0);
+    if (!runs.empty() && runs.back().first + runs.back().second == part.First)
+    {
+      runs.back().second += part.Count;
+    }
+    else
+    {
+      runs.emplace_back(part.First, part.Count);
+    }
+  }
+  frame.Counts["wedgesCulled"] += static_cast<double>(this->Culled);
+  for (const auto& run : runs)
+  {
+    this->Vertices.Draw(frame.Window, GL_TRIANGLES, run.first, run.second, sources,
+      [&](vtkShaderProgram* program)
+      {
+        program->SetUniformMatrix4x4("shadowSWCToClip", glm::value_ptr(SWCToClip));
+        program->SetUniformMatrix4x4("shadowSWCToVC", glm::value_ptr(SWCToVC));
+        program->SetUniformf("shadowReach", static_cast<float>(reach));
+        program->SetUniformf("shadowFarthest", farthest);
+        this->SetLight(frame, program);
+        setParameters(program);
+      });
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPenumbraWedges::Release(vtkOpenGLRenderWindow* window)
+{
+  this->Vertices.Release();
+  this->Planes.Release(window);
+  this->Parts.clear();
+  this->Wedges = this->Culled = 0;
+}
