@@ -23,7 +23,11 @@ vtkShadowDeclaration Wedges()
   t.Traits.SignedShares = true;
   t.LightShapes = { Support::Exact, Support::Approximate, Support::Approximate,
     Support::Approximate, Support::Approximate, Support::Unsupported };
-  t.Parameters = { vtkShadowParameter::Integer("split", 1, 1, 4,
+  t.Parameters = { vtkShadowParameter::Choice("overlap", "sum", { "sum", "count" },
+                     "How the edges' shares of a light add up: as if no caster hid what another hides "
+                     "(sum), or by counts for each sample of the light (count)"),
+    vtkShadowParameter::Integer("samples", 64, 1, 256, "Samples of the light that overlap=count counts for"),
+    vtkShadowParameter::Integer("split", 1, 1, 4,
                      "The light's area is cut into split x split parts, each with silhouettes of "
                      "its own"),
     vtkShadowParameter::Choice("bounds", "tight", { "tight", "sphere" },

@@ -4,6 +4,8 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPenumbraAreaFS.h"
+#include "vtkPenumbraCountFS.h"
+#include "vtkPenumbraSamplesFS.h"
 #include "vtkPenumbraSumFS.h"
 #include "vtkPenumbraWedgeVS.h"
 #include "vtkShaderProgram.h"
@@ -50,7 +52,9 @@ vtkShadowWedgeLight MakeArea(const vtkShadowLight& light, const glm::dvec4& plac
 //------------------------------------------------------------------------------
 bool vtkPenumbraWedgeTechnique::UpdateLightData(vtkShadowFrame& frame)
 {
-  const int split = this->Settings.GetInteger("split");
+  const std::string overlap = this->Settings.GetChoice("overlap");
+  const int samples = this->Settings.GetInteger("samples");
+  const int split = overlap == "count" ? 1 : this->Settings.GetInteger("split");
   vtkShadowVolumeSettings settings;
   settings.Silhouettes.Samples = split * split;
   settings.Silhouettes.Split = true;
@@ -61,9 +65,11 @@ bool vtkPenumbraWedgeTechnique::UpdateLightData(vtkShadowFrame& frame)
     frame.Counts[name] = 0;
   }
   const std::string bounds = this->Settings.GetChoice("bounds");
-  if (bounds != this->Bounds)
+  if (bounds != this->Bounds || overlap != this->Overlap || samples != this->Samples)
   {
     this->Bounds = bounds;
+    this->Overlap = overlap;
+    this->Samples = samples;
     this->Parts.clear();
   }
   this->Parts.resize(frame.Parts.size());
@@ -98,6 +104,10 @@ void vtkPenumbraWedgeTechnique::UpdatePart(vtkShadowFrame& frame, int part)
       state.Areas.back()->Release(frame.Window);
       state.Areas.pop_back();
     }
+    state.Samples.Count = 0;
+    const bool counts = this->Overlap == "count";
+    const auto bounds =
+      this->Bounds == "sphere" ? vtkShadowWedge::Bounds::Sphere : vtkShadowWedge::Bounds::Tight;
     for (std::size_t k = 0; k < areas; ++k)
     {
       const int place = static_cast<int>(k);
@@ -105,9 +115,20 @@ void vtkPenumbraWedgeTechnique::UpdatePart(vtkShadowFrame& frame, int part)
       {
         state.Areas.push_back(std::make_unique<vtkPenumbraWedges>());
       }
-      state.Areas[k]->SetLight(MakeArea(light, silhouettes.GetPlace(part, place), side));
-      state.Areas[k]->MakeOfSilhouette(frame, this->Volumes.GetBatch(frame, part, place), place,
-        this->Bounds == "sphere" ? vtkShadowWedge::Bounds::Sphere : vtkShadowWedge::Bounds::Tight);
+      vtkPenumbraWedges& wedges = *state.Areas[k];
+      const vtkShadowSilhouetteCache::Batch& batch = this->Volumes.GetBatch(frame, part, place);
+      wedges.SetLight(MakeArea(light, silhouettes.GetPlace(part, place), side));
+      wedges.MakePlanes(frame, batch, place);
+      if (counts)
+      {
+        state.Samples.Set(light, this->Samples, vtkShadowSilhouetteCache::Get(batch, 0).MostNested);
+        wedges.MakeOfEdges(
+          frame, silhouettes.GetAdjacencies(), silhouettes.GetCasters(part), bounds);
+      }
+      else
+      {
+        wedges.MakeOfSilhouette(frame, batch, place, bounds);
+      }
     }
   }
   for (const auto& area : state.Areas)
@@ -118,16 +139,18 @@ void vtkPenumbraWedgeTechnique::UpdatePart(vtkShadowFrame& frame, int part)
 
 //------------------------------------------------------------------------------
 void vtkPenumbraWedgeTechnique::AddWedges(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer,
-  const vtkShadowTexture& target, int layer, int part, vtkPenumbraWedges& wedges, float share)
+  const std::vector<const vtkShadowTexture*>& targets, int layer, int part,
+  vtkPenumbraWedges& wedges, const char* shader, const std::string& definitions,
+  const std::function<void(vtkShaderProgram*)>& setParameters)
 {
-  const std::string quantity =
-    buffer.GetQuantity().empty() ? "" : "#define SHADOW_QUANTITY\n";
-  const vtkShadowPrograms::Sources sources{ vtkPenumbraWedgeVS, nullptr, vtkPenumbraSumFS,
-    quantity + frame.GetLightsGLSL() + vtkShadowReceivers::GetGLSL() + wedges.GetLightGLSL(),
+  const std::string quantity = buffer.GetQuantity().empty() ? "" : "#define SHADOW_QUANTITY\n";
+  const vtkShadowPrograms::Sources sources{ vtkPenumbraWedgeVS, nullptr, shader,
+    frame.GetLightsGLSL(quantity + definitions) + vtkShadowReceivers::GetGLSL() +
+      wedges.GetLightGLSL(),
     false };
   vtkShadowTexture& receivers = buffer.GetReceivers().GetTexture();
   receivers.Activate(frame.Window);
-  this->Volumes.AddBehind(frame, buffer, { &target }, layer,
+  this->Volumes.AddBehind(frame, buffer, targets, layer,
     [&](const glm::dmat4& SWCToDraw, float farthest)
     {
       wedges.Draw(frame, this->Volumes, SWCToDraw, farthest, sources,
@@ -135,50 +158,126 @@ void vtkPenumbraWedgeTechnique::AddWedges(vtkShadowFrame& frame, vtkVisibilityBu
         {
           program->SetUniformi("shadowReceivers", receivers.GetUnit());
           program->SetUniformi("shadowLight", part);
-          program->SetUniformf("shadowShare", share);
           frame.SetLights(program);
+          if (setParameters)
+          {
+            setParameters(program);
+          }
         });
     });
   receivers.Deactivate(frame.Window);
 }
 
 //------------------------------------------------------------------------------
-void vtkPenumbraWedgeTechnique::AddArea(
+void vtkPenumbraWedgeTechnique::AddOver(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer,
+  int part, const vtkPenumbraWedges& wedges, const char* shader, const std::string& definitions,
+  const std::function<void(vtkShaderProgram*)>& setParameters)
+{
+  std::string source = shader;
+  vtkShaderProgram::Substitute(source, "//VTK::Output::Dec",
+    "//VTK::Output::Dec\n" + frame.GetLightsGLSL(definitions) + vtkShadowReceivers::GetGLSL() +
+      wedges.GetLightGLSL());
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
+  vtkShadowFramebuffer::Scope scope(
+    frame.Window, buffer.GetFramebuffer(), &buffer.GetTarget(), nullptr, part);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+  vtkShadowTexture& receivers = buffer.GetReceivers().GetTexture();
+  receivers.Activate(frame.Window);
+  this->Sums.Activate(frame.Window);
+  frame.Quad->Draw(frame.Window, source,
+    [&](vtkShaderProgram* program)
+    {
+      program->SetUniformi("shadowReceivers", receivers.GetUnit());
+      program->SetUniformi("shadowSums", this->Sums.GetUnit());
+      wedges.SetLight(frame, program);
+      setParameters(program);
+    });
+  this->Sums.Deactivate(frame.Window);
+  receivers.Deactivate(frame.Window);
+}
+
+//------------------------------------------------------------------------------
+void vtkPenumbraWedgeTechnique::CountCentre(
   vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part, int area)
 {
-  PartState& state = this->Parts[part];
-  vtkPenumbraWedges& wedges = *state.Areas[area];
-  if (state.Areas.size() == 1)
-  {
-    this->Volumes.AddCounts(
-      frame, buffer, buffer.GetTarget(), part, part, area, wedges.GetPlanes(), -1.0f);
-    this->AddWedges(frame, buffer, buffer.GetTarget(), part, part, wedges, 1.0f);
-    return;
-  }
   {
     vtkShadowFramebuffer::Scope scope(
       frame.Window, buffer.GetFramebuffer(), &this->Sums, nullptr, 0);
     const float none[] = { 0.0f, 0.0f, 0.0f, 0.0f };
     glClearBufferfv(GL_COLOR, 0, none);
   }
-  this->Volumes.AddCounts(frame, buffer, this->Sums, 0, part, area, wedges.GetPlanes(), 1.0f);
-  this->AddWedges(frame, buffer, this->Sums, 0, part, wedges, -1.0f);
-  vtkOpenGLState* state2 = frame.Window->GetState();
-  vtkOpenGLState::ScopedglEnableDisable depthTest(state2, GL_DEPTH_TEST);
-  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state2);
-  vtkShadowFramebuffer::Scope scope(
-    frame.Window, buffer.GetFramebuffer(), &buffer.GetTarget(), nullptr, part);
-  state2->vtkglDisable(GL_DEPTH_TEST);
-  state2->vtkglEnable(GL_BLEND);
-  state2->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
-  this->Sums.Activate(frame.Window);
-  frame.Quad->Draw(frame.Window, vtkPenumbraAreaFS,
-    [&](vtkShaderProgram* program)
+  this->Volumes.AddCounts(
+    frame, buffer, this->Sums, 0, part, area, this->Parts[part].Areas[area]->GetPlanes());
+}
+
+//------------------------------------------------------------------------------
+void vtkPenumbraWedgeTechnique::AddArea(
+  vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part, int area)
+{
+  vtkPenumbraWedges& wedges = *this->Parts[part].Areas[area];
+  this->CountCentre(frame, buffer, part, area);
+  this->AddWedges(
+    frame, buffer, { &this->Sums }, 0, part, wedges, vtkPenumbraSumFS, "", nullptr);
+  const float share = 1.0f / static_cast<float>(this->Parts[part].Areas.size());
+  this->AddOver(frame, buffer, part, wedges, vtkPenumbraAreaFS, "",
+    [share](vtkShaderProgram* program) { program->SetUniformf("shadowShare", share); });
+}
+
+//------------------------------------------------------------------------------
+void vtkPenumbraWedgeTechnique::AddSamples(
+  vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part)
+{
+  const vtkPenumbraSamples& samples = this->Parts[part].Samples;
+  vtkPenumbraWedges& wedges = *this->Parts[part].Areas[0];
+  this->CountCentre(frame, buffer, part, 0);
+  for (int pass = 0; pass < samples.GetPasses(); ++pass)
+  {
+    const int targets = samples.GetTargets(pass);
+    std::vector<const vtkShadowTexture*> counts;
+    for (int t = 0; t < targets; ++t)
     {
-      program->SetUniformi("shadowSums", this->Sums.GetUnit());
-      program->SetUniformf("shadowShare", 1.0f / static_cast<float>(state.Areas.size()));
-    });
-  this->Sums.Deactivate(frame.Window);
+      this->Counts[t].Allocate(frame.Window, vtkShadowTexture::Format::Float4, buffer.GetWidth(),
+        buffer.GetHeight(), 1);
+      counts.push_back(&this->Counts[t]);
+    }
+    {
+      vtkShadowFramebuffer::Scope scope(
+        frame.Window, buffer.GetFramebuffer(), counts, nullptr, 0);
+      const float none[] = { 0.0f, 0.0f, 0.0f, 0.0f };
+      for (int t = 0; t < targets; ++t)
+      {
+        glClearBufferfv(GL_COLOR, t, none);
+      }
+    }
+    const std::string definitions = samples.GetDefinitions(pass);
+    const auto setParameters = [&](vtkShaderProgram* program)
+    {
+      samples.SetParameters(program, pass);
+      for (int t = 0; t < targets; ++t)
+      {
+        const std::string name = "shadowCounts" + std::to_string(t);
+        if (program->IsUniformUsed(name.c_str()))
+        {
+          program->SetUniformi(name.c_str(), this->Counts[t].GetUnit());
+        }
+      }
+    };
+    this->AddWedges(
+      frame, buffer, counts, 0, part, wedges, vtkPenumbraCountFS, definitions, setParameters);
+    for (int t = 0; t < targets; ++t)
+    {
+      this->Counts[t].Activate(frame.Window);
+    }
+    this->AddOver(frame, buffer, part, wedges, vtkPenumbraSamplesFS, definitions, setParameters);
+    for (int t = 0; t < targets; ++t)
+    {
+      this->Counts[t].Deactivate(frame.Window);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -187,9 +286,8 @@ void vtkPenumbraWedgeTechnique::FillVisibility(vtkShadowFrame& frame, vtkVisibil
   const bool cost = !buffer.GetQuantity().empty();
   this->MostWedges = 0.0;
   bool memory = this->Volumes.UpdateDepth(frame, buffer);
-  memory = memory && (this->Settings.GetInteger("split") == 1 ||
-                       this->Sums.Allocate(frame.Window, vtkShadowTexture::Format::Float1,
-                         buffer.GetWidth(), buffer.GetHeight(), 1));
+  memory = memory && this->Sums.Allocate(frame.Window, vtkShadowTexture::Format::Float2,
+                       buffer.GetWidth(), buffer.GetHeight(), 1);
   for (int i = 0; memory && i < static_cast<int>(frame.Parts.size()); ++i)
   {
     if (this->Volumes.GetSamples(i).empty())
@@ -204,8 +302,16 @@ void vtkPenumbraWedgeTechnique::FillVisibility(vtkShadowFrame& frame, vtkVisibil
     }
     for (int k = 0; k < static_cast<int>(state.Areas.size()); ++k)
     {
-      cost ? this->AddWedges(frame, buffer, buffer.GetTarget(), i, i, *state.Areas[k], 1.0f)
-           : this->AddArea(frame, buffer, i, k);
+      if (cost)
+      {
+        this->AddWedges(frame, buffer, { &buffer.GetTarget() }, i, i, *state.Areas[k],
+          vtkPenumbraSumFS, "", nullptr);
+      }
+      else
+      {
+        this->CountsSamples(i) ? this->AddSamples(frame, buffer, i)
+                               : this->AddArea(frame, buffer, i, k);
+      }
     }
     if (cost)
     {
@@ -235,7 +341,12 @@ std::vector<std::pair<std::string, std::size_t>> vtkPenumbraWedgeTechnique::GetB
     }
   }
   bytes.emplace_back("wedges", wedges);
-  bytes.emplace_back("sums", this->Sums.GetBytes());
+  std::size_t counts = this->Sums.GetBytes();
+  for (const auto& target : this->Counts)
+  {
+    counts += target.GetBytes();
+  }
+  bytes.emplace_back("wedgeSums", counts);
   return bytes;
 }
 
@@ -251,5 +362,9 @@ void vtkPenumbraWedgeTechnique::Release(vtkOpenGLRenderWindow* window)
   }
   this->Parts.clear();
   this->Sums.Release(window);
+  for (auto& target : this->Counts)
+  {
+    target.Release(window);
+  }
   this->Volumes.Release(window);
 }

@@ -4,11 +4,15 @@
 #ifndef vtkPenumbraWedgeTechnique_h
 #define vtkPenumbraWedgeTechnique_h
 
+#include "vtkPenumbraSamples.h"
 #include "vtkPenumbraWedges.h"
 #include "vtkShadowTechnique.h"
 #include "vtkShadowVolumes.h"
 
+#include <array>
+#include <functional>
 #include <memory>
+#include <string>
 
 class vtkPenumbraWedgeTechnique : public vtkShadowTechnique
 {
@@ -25,21 +29,36 @@ private:
   /** Wedges of a part of a light: one set for each part of its area. */
   struct PartState
   {
+    vtkPenumbraSamples Samples; // that are counted one by one
+
     std::vector<std::unique_ptr<vtkPenumbraWedges>> Areas;
     unsigned long Version = 0; // of the silhouettes that they were made of
   };
 
   void UpdatePart(vtkShadowFrame& frame, int part);
   /** Add what an area's edges let through and hide to a layer of a target. */
-  void AddWedges(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, const vtkShadowTexture& target,
-    int layer, int part, vtkPenumbraWedges& wedges, float share);
-  /** The visibility of an area: all that is in the window, less what is hidden, within 0 and 1. */
+  void AddWedges(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer,
+    const std::vector<const vtkShadowTexture*>& targets, int layer, int part,
+    vtkPenumbraWedges& wedges, const char* shader, const std::string& definitions,
+    const std::function<void(vtkShaderProgram*)>& setParameters);
+  /** Count how often the centre of an area is hidden, in the sums' first channel. */
+  void CountCentre(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part, int area);
+  /** Take away what is hidden of an area: by the sum of its edges, or by counts of its samples. */
   void AddArea(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part, int area);
+  void AddSamples(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part);
+  /** Add up what a shader draws over a layer of the buffer's target. */
+  void AddOver(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part,
+    const vtkPenumbraWedges& wedges, const char* shader, const std::string& definitions,
+    const std::function<void(vtkShaderProgram*)>& setParameters);
+  bool CountsSamples(int part) const { return this->Parts[part].Samples.Count > 0; }
 
   vtkShadowVolumes Volumes;
   std::vector<PartState> Parts;
   std::string Bounds;
-  vtkShadowTexture Sums; // R32F: of one area
+  std::string Overlap;
+  int Samples = 0;
+  vtkShadowTexture Sums;   // of one area
+  std::array<vtkShadowTexture, vtkPenumbraSamples::MostTargets> Counts; // of samples
   double MostWedges = 0.0;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraWedges.h"
 
+#include "vtkPenumbraCoverFS.h"
 #include "vtkPenumbraLightFS.h"
 #include "vtkShaderProgram.h"
 #include "vtkShadowCasters.h"
@@ -11,6 +12,8 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace
 {
@@ -50,8 +53,25 @@ vtkPenumbraWedges::Boxes vtkPenumbraWedges::GetReceivers(const vtkShadowCasters&
 }
 
 //------------------------------------------------------------------------------
-void vtkPenumbraWedges::AddWedge(const vtkShadowWedgeEdge& edge, vtkShadowWedge::Bounds bounds,
-  const Boxes& boxes, std::vector<float>& values)
+void vtkPenumbraWedges::Start(const vtkShadowFrame& frame, bool ofEdges)
+{
+  this->OfEdges = ofEdges;
+  this->Parts.clear();
+  this->Values.clear();
+  this->Wedges = this->Culled = 0;
+  this->Receivers = GetReceivers(*frame.Casters);
+}
+
+//------------------------------------------------------------------------------
+void vtkPenumbraWedges::StartPart(int caster)
+{
+  const std::size_t first =
+    this->Parts.empty() ? 0 : this->Parts.back().First + this->Parts.back().Count;
+  this->Parts.push_back({ caster, first, 0, 0 });
+}
+
+//------------------------------------------------------------------------------
+void vtkPenumbraWedges::AddWedge(const vtkShadowWedgeEdge& edge, vtkShadowWedge::Bounds bounds)
 {
   vtkShadowWedge wedge;
   wedge.Bound(this->Light, edge.Ends, bounds);
@@ -59,21 +79,26 @@ void vtkPenumbraWedges::AddWedge(const vtkShadowWedgeEdge& edge, vtkShadowWedge:
   {
     return;
   }
-  if (!boxes.empty() && std::all_of(boxes.begin(), boxes.end(),
-                          [&](const std::array<glm::dvec3, 8>& box)
-                          { return wedge.Misses(box.data(), 8); }))
+  if (!this->Receivers.empty() && std::all_of(this->Receivers.begin(), this->Receivers.end(),
+                                    [&](const std::array<glm::dvec3, 8>& box)
+                                    { return wedge.Misses(box.data(), 8); }))
   {
     ++this->Culled;
     return;
   }
   for (const auto& corner : wedge.Triangles)
   {
-    Append(values, glm::dvec4(corner.Base, corner.Kind));
-    Append(values, corner.Along);
-    Append(values, edge.Ends[0]);
-    Append(values, edge.Ends[1]);
-    Append(values, edge.Plane);
-    values.push_back(static_cast<float>(edge.Times));
+    Append(this->Values, glm::dvec4(corner.Base, corner.Kind));
+    Append(this->Values, corner.Along);
+    Append(this->Values, edge.Ends[0]);
+    Append(this->Values, edge.Ends[1]);
+    Append(this->Values, edge.Plane);
+    this->Values.push_back(static_cast<float>(edge.Times));
+    if (this->OfEdges)
+    {
+      Append(this->Values, edge.Faces[0]);
+      Append(this->Values, edge.Faces[1]);
+    }
   }
   ++this->Wedges;
   ++this->Parts.back().Wedges;
@@ -81,20 +106,32 @@ void vtkPenumbraWedges::AddWedge(const vtkShadowWedgeEdge& edge, vtkShadowWedge:
 }
 
 //------------------------------------------------------------------------------
+void vtkPenumbraWedges::Upload()
+{
+  glBindVertexArray(0);
+  std::vector<vtkShadowVertices::Attribute> attributes = { { "wedgeBaseSWC", 4 },
+    { "wedgeAlongSWC", 3 }, { "wedgeFromSWC", 3 }, { "wedgeToSWC", 3 }, { "wedgePlaneSWC", 4 },
+    { "wedgeTimes", 1 } };
+  if (this->OfEdges)
+  {
+    attributes.push_back({ "wedgeFirstFaceSWC", 4 });
+    attributes.push_back({ "wedgeSecondFaceSWC", 4 });
+  }
+  this->Vertices.Upload(this->Values, attributes);
+  std::vector<float>().swap(this->Values);
+  this->Receivers.clear();
+}
+
+//------------------------------------------------------------------------------
 void vtkPenumbraWedges::MakeOfSilhouette(vtkShadowFrame& frame,
   const vtkShadowSilhouetteCache::Batch& batch, int place, vtkShadowWedge::Bounds bounds)
 {
+  this->Start(frame, false);
   const auto& lines = batch.Silhouettes.GetLines();
-  std::vector<glm::vec4> planes(std::max<std::size_t>(1, lines.size() / 2));
-  std::vector<float> values;
-  this->Parts.clear();
-  this->Wedges = this->Culled = 0;
-  const Boxes boxes = GetReceivers(*frame.Casters);
-  std::size_t corners = 0;
   for (const auto& part : vtkShadowSilhouetteCache::Get(batch, place).Parts)
   {
     const vtkShadowCaster& caster = frame.Casters->Get()[part.Caster];
-    this->Parts.push_back({ part.Caster, corners, 0, 0 });
+    this->StartPart(part.Caster);
     for (std::size_t i = part.First; i < part.First + part.Count;)
     {
       vtkShadowWedgeEdge edge;
@@ -107,21 +144,125 @@ void vtkPenumbraWedges::MakeOfSilhouette(vtkShadowFrame& frame,
            lines[i + 1] == lines[same + 1];
            i += 2)
       {
-        planes[i / 2] = glm::vec4(edge.Plane);
         ++edge.Times;
       }
       if (edge.Plane != glm::dvec4(0.0))
       {
-        this->AddWedge(edge, bounds, boxes, values);
+        this->AddWedge(edge, bounds);
       }
     }
-    corners += this->Parts.back().Count;
+  }
+  this->Upload();
+}
+
+//------------------------------------------------------------------------------
+void vtkPenumbraWedges::MakePlanes(
+  vtkShadowFrame& frame, const vtkShadowSilhouetteCache::Batch& batch, int place)
+{
+  const auto& lines = batch.Silhouettes.GetLines();
+  std::vector<glm::vec4> planes(std::max<std::size_t>(1, lines.size() / 2));
+  for (const auto& part : vtkShadowSilhouetteCache::Get(batch, place).Parts)
+  {
+    const vtkShadowCaster& caster = frame.Casters->Get()[part.Caster];
+    for (std::size_t i = part.First; i < part.First + part.Count; i += 2)
+    {
+      vtkShadowWedgeEdge edge;
+      edge.Ends[0] = GetVertex(caster, lines[i]);
+      edge.Ends[1] = GetVertex(caster, lines[i + 1]);
+      edge.SetPlane(this->Light.Place);
+      planes[i / 2] = glm::vec4(edge.Plane);
+    }
   }
   this->Planes.UploadBuffer(frame.Window, planes);
-  glBindVertexArray(0);
-  this->Vertices.Upload(values,
-    { { "wedgeBaseSWC", 4 }, { "wedgeAlongSWC", 3 }, { "wedgeFromSWC", 3 }, { "wedgeToSWC", 3 },
-      { "wedgePlaneSWC", 4 }, { "wedgeTimes", 1 } });
+}
+
+//------------------------------------------------------------------------------
+int vtkPenumbraWedges::FindSide(const glm::dvec4& plane) const
+{
+  const glm::dvec3 normal(plane);
+  const double u = std::abs(glm::dot(normal, this->Light.U));
+  const double v = std::abs(glm::dot(normal, this->Light.V));
+  const double reach = this->Light.Kind == Shape::Rectangle ? u + v
+                       : this->Light.Kind == Shape::Sphere  ? glm::length(this->Light.U)
+                                                            : std::hypot(u, v);
+  const double side = glm::dot(plane, this->Light.Place);
+  // A hair more for the rounding of both.
+  const double slack =
+    1e-3 * reach + 1e-6 * (glm::length(glm::dvec3(this->Light.Place)) + std::abs(plane.w));
+  return std::abs(side) <= reach + slack ? 0 : (side > 0.0 ? 1 : -1);
+}
+
+//------------------------------------------------------------------------------
+void vtkPenumbraWedges::AddEdges(const vtkShadowCaster& caster,
+  const vtkShadowAdjacency& adjacency, vtkShadowWedge::Bounds bounds)
+{
+  const vtkShadowFacePlanes planes(caster, adjacency);
+  std::vector<signed char> sides(adjacency.Planes.size());
+  for (std::size_t f = 0; f < sides.size(); ++f)
+  {
+    sides[f] =
+      static_cast<signed char>(this->FindSide(planes.Get(static_cast<std::uint32_t>(f))));
+  }
+  const int turn = planes.IsMirrored() ? -1 : 1;
+  const auto faces = [&](std::uint32_t face) // the light's centre, as silhouettes tell
+  { return glm::dot(planes.Get(face), this->Light.Place) > 0.0; };
+  // Along the silhouette's line, which counts so often from the light's centre; no plane without one.
+  const auto add = [&](std::uint32_t from, std::uint32_t to, int ofCentre, int times,
+                     const glm::dvec4& first, const glm::dvec4& second)
+  {
+    const bool reverse = turn * ofCentre < 0;
+    vtkShadowWedgeEdge edge;
+    edge.Ends[0] = GetVertex(caster, reverse ? to : from);
+    edge.Ends[1] = GetVertex(caster, reverse ? from : to);
+    edge.Times = reverse ? -turn * times : turn * times;
+    edge.Faces[0] = first;
+    edge.Faces[1] = second;
+    if (ofCentre != 0)
+    {
+      edge.SetPlane(this->Light.Place);
+    }
+    this->AddWedge(edge, bounds);
+  };
+  for (const auto& edge : adjacency.Edges)
+  {
+    const std::uint32_t* both = edge.Faces;
+    if (sides[both[0]] == 0 || sides[both[0]] != sides[both[1]])
+    {
+      const int ofCentre = (faces(both[0]) ? 1 : 0) - (faces(both[1]) ? 1 : 0);
+      const int times = adjacency.Flags[both[0]] & vtkShadowAdjacency::Closed ? 1 : 2;
+      add(edge.From, edge.To, ofCentre, times, planes.Get(both[0]), planes.Get(both[1]));
+    }
+  }
+  for (const auto& edge : adjacency.IrregularEdges)
+  {
+    int ofCentre = 0;
+    for (std::uint32_t k = edge.First; k < edge.First + edge.Count; ++k)
+    {
+      const auto& face = adjacency.IrregularFaces[k];
+      ofCentre += faces(face.Face) != face.Backward ? 1 : -1;
+    }
+    for (std::uint32_t k = edge.First; k < edge.First + edge.Count; ++k)
+    {
+      const auto& face = adjacency.IrregularFaces[k];
+      add(edge.From, edge.To, ofCentre, face.Backward ? -2 : 2, planes.Get(face.Face),
+        glm::dvec4(0.0));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPenumbraWedges::MakeOfEdges(vtkShadowFrame& frame,
+  const vtkShadowAdjacencies& adjacencies, const std::vector<int>& casters,
+  vtkShadowWedge::Bounds bounds)
+{
+  this->Start(frame, true);
+  for (const int i : casters)
+  {
+    const vtkShadowCaster& caster = frame.Casters->Get()[i];
+    this->StartPart(i);
+    this->AddEdges(caster, adjacencies.Get(caster.Mesh), bounds);
+  }
+  this->Upload();
 }
 
 //------------------------------------------------------------------------------
@@ -148,7 +289,8 @@ std::string vtkPenumbraWedges::GetLightGLSL() const
                     : this->Light.Kind == Shape::Disk    ? 1
                     : this->Light.Kind == Shape::Sphere  ? 2
                                                          : 3;
-  return "#define SHADOW_WEDGE_SHAPE " + std::to_string(shape) + "\n" + vtkPenumbraLightFS;
+  return "#define SHADOW_WEDGE_SHAPE " + std::to_string(shape) + "\n" + vtkPenumbraLightFS +
+         vtkPenumbraCoverFS;
 }
 
 //------------------------------------------------------------------------------

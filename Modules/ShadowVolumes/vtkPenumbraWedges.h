@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The wedges of one light, or of a part of its area: made from edges that casters end at, kept on the GPU.
 //
-//   wedges  vertex buffer    68 bytes a corner, 45 to 60 corners a wedge
+//   wedges  vertex buffer    72 bytes a corner, 104 of all edges; about 50 corners a wedge
 //   planes  RGBA32F buffer   a texel a line of the silhouettes' batch: through the light's centre and the
 //                            edge, in SWC, positive where the caster is
 
@@ -22,8 +22,11 @@
 #include <vector>
 
 class vtkShaderProgram;
+class vtkShadowAdjacencies;
 class vtkShadowCasters;
 class vtkVisibilityBuffer;
+struct vtkShadowAdjacency;
+struct vtkShadowCaster;
 struct vtkShadowFrame;
 
 class vtkPenumbraWedges
@@ -33,9 +36,19 @@ public:
   void SetLight(const vtkShadowWedgeLight& light) { this->Light = light; }
   const vtkShadowWedgeLight& GetLight() const { return this->Light; }
 
-  /** Make those of the silhouettes of a light's place, and the planes of all of the batch's lines. */
+  /** Make the planes of the silhouettes of a light's place, for the count of volumes. */
+  void MakePlanes(
+    vtkShadowFrame& frame, const vtkShadowSilhouetteCache::Batch& batch, int place);
+  /** Make the wedges of the silhouettes of a light's place. */
   void MakeOfSilhouette(vtkShadowFrame& frame, const vtkShadowSilhouetteCache::Batch& batch,
     int place, vtkShadowWedge::Bounds bounds);
+
+  /**
+   * Make those of all edges that casters (indices of vtkShadowCasters::Get()) may end at, as any point of
+   * the light sees them.
+   */
+  void MakeOfEdges(vtkShadowFrame& frame, const vtkShadowAdjacencies& adjacencies,
+    const std::vector<int>& casters, vtkShadowWedge::Bounds bounds);
 
   /** Draw those that may be seen, for vtkShadowVolumes::AddBehind; counts in the frame. */
   void Draw(vtkShadowFrame& frame, const vtkShadowVolumes& volumes, const glm::dmat4& SWCToDraw,
@@ -61,8 +74,14 @@ private:
   };
   using Boxes = std::vector<std::array<glm::dvec3, 8>>;
 
-  void AddWedge(const vtkShadowWedgeEdge& edge, vtkShadowWedge::Bounds bounds, const Boxes& boxes,
-    std::vector<float>& values);
+  void Start(const vtkShadowFrame& frame, bool ofEdges);
+  void StartPart(int caster);
+  void AddWedge(const vtkShadowWedgeEdge& edge, vtkShadowWedge::Bounds bounds);
+  void Upload();
+  /** Which side of a face the light sees: 1 or -1, or 0 where that depends on the point. */
+  int FindSide(const glm::dvec4& plane) const;
+  void AddEdges(const vtkShadowCaster& caster, const vtkShadowAdjacency& adjacency,
+    vtkShadowWedge::Bounds bounds);
   /** What may be shadowed; none where there is too much of it to be asked for each wedge. */
   static Boxes GetReceivers(const vtkShadowCasters& casters);
   std::vector<glm::dvec4> GetExtremes() const;
@@ -71,8 +90,11 @@ private:
   vtkShadowVertices Vertices;
   vtkShadowTexture Planes;
   std::vector<Part> Parts;
+  bool OfEdges = false; // with faces
   std::size_t Wedges = 0;
   std::size_t Culled = 0; // that no receiver lies in
+  Boxes Receivers;        // while wedges are made
+  std::vector<float> Values;
 };
 
 #endif

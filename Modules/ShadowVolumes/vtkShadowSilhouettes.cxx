@@ -134,6 +134,29 @@ void FindLines(const vtkShadowAdjacency& adjacency, const std::vector<LocalPlace
 }
 
 //------------------------------------------------------------------------------
+vtkShadowFacePlanes::vtkShadowFacePlanes(
+  const vtkShadowCaster& caster, const vtkShadowAdjacency& adjacency)
+  : Adjacency(adjacency)
+{
+  // ToMesh is linear in the place: its columns turn planes.
+  const glm::dvec4 axes[] = { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 }, { 0, 0, 0, 1 } };
+  for (int c = 0; c < 4; ++c)
+  {
+    const LocalPlace local = ToMesh(caster, axes[c]);
+    this->MeshToSWC[c] = local.Light;
+    this->Mirrored = local.Mirrored;
+  }
+}
+
+//------------------------------------------------------------------------------
+glm::dvec4 vtkShadowFacePlanes::Get(std::uint32_t face) const
+{
+  const glm::dvec4 plane = glm::dvec4(this->Adjacency.Planes[face]) * this->MeshToSWC;
+  const double length = glm::length(glm::dvec3(plane));
+  return length > 0.0 ? plane / length : glm::dvec4(0.0, 0.0, 0.0, 1.0);
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowSilhouettes::Find(const vtkShadowCasters& casters,
   const vtkShadowAdjacencies& adjacencies, const std::vector<int>& which, const glm::dvec4* places,
   int numberOfPlaces)

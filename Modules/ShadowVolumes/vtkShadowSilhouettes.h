@@ -22,6 +22,7 @@
 #include "vtkShadowCasterDrawing.h"            // For vtkShadowCasterPart
 #include "vtkSoftShadowsShadowVolumesModule.h" // For export macro
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
 #include <cstddef>
@@ -46,6 +47,22 @@ struct vtkShadowSilhouette
   std::vector<vtkShadowCasterPart> Parts;
   /** No point lies in more volumes than this: by edges in slabs of the light's view. */
   std::size_t MostNested = 0;
+};
+
+/** The planes of a caster's faces in SWC, as its adjacency winds them. */
+class VTKSOFTSHADOWSSHADOWVOLUMES_EXPORT vtkShadowFacePlanes
+{
+public:
+  vtkShadowFacePlanes(const vtkShadowCaster& caster, const vtkShadowAdjacency& adjacency);
+  /** Of unit normal, positive before the face. What has no normal is seen from before everywhere. */
+  glm::dvec4 Get(std::uint32_t face) const;
+  /** The caster's matrix turns left into right. */
+  bool IsMirrored() const { return this->Mirrored; }
+
+private:
+  const vtkShadowAdjacency& Adjacency;
+  glm::dmat4 MeshToSWC; // of planes
+  bool Mirrored;
 };
 
 class VTKSOFTSHADOWSSHADOWVOLUMES_EXPORT vtkShadowSilhouettes

@@ -79,12 +79,12 @@ public:
    */
   bool Subtract(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part, int sample);
   /**
-   * Add a share, times how many volumes of a place hold the receiver, in a layer of a target. Of sides,
-   * planes (a texel a line of the batch, in SWC) and the receiver's position tell it; of caps, depths.
+   * Add how many volumes of a place hold the receiver to the first channel of a layer of a target. Of
+   * sides, planes (a texel a line of the batch, in SWC) and the receiver's position tell it; of caps,
+   * depths.
    */
   void AddCounts(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer,
-    const vtkShadowTexture& target, int layer, int part, int sample, vtkShadowTexture& planes,
-    float share);
+    const vtkShadowTexture& target, int layer, int part, int sample, vtkShadowTexture& planes);
   /**
    * Add up what is drawn, where the back faces of something lie behind the receivers, in a layer of
    * targets. What draws gets the matrix to draw with, and the clip coordinate of what is farthest.

@@ -333,8 +333,7 @@ bool vtkShadowVolumes::Subtract(
 
 //------------------------------------------------------------------------------
 void vtkShadowVolumes::AddCounts(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer,
-  const vtkShadowTexture& target, int layer, int part, int sample, vtkShadowTexture& planes,
-  float share)
+  const vtkShadowTexture& target, int layer, int part, int sample, vtkShadowTexture& planes)
 {
   const glm::dvec4& place = this->Silhouettes.GetPlace(part, sample);
   const Selection selection = this->Select(frame, part, sample);
@@ -346,6 +345,7 @@ void vtkShadowVolumes::AddCounts(vtkShadowFrame& frame, vtkVisibilityBuffer& buf
     frame.Window, buffer.GetFramebuffer(), &target, &this->Depth, layer);
   vtkOpenGLState* state = frame.Window->GetState();
   CountingState counting(state, true);
+  state->vtkglColorMask(GL_TRUE, GL_FALSE, GL_FALSE, GL_FALSE);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
   vtkShadowTexture& receivers = buffer.GetReceivers().GetTexture();
@@ -357,12 +357,11 @@ void vtkShadowVolumes::AddCounts(vtkShadowFrame& frame, vtkVisibilityBuffer& buf
   how.GeometryShader = vtkPenumbraSidesGS;
   how.FragmentShader = vtkPenumbraSidesFS;
   how.Definitions =
-    "#define SHADOW_WEDGE_SHAPE 3\n" + vtkShadowReceivers::GetGLSL() + vtkPenumbraLightFS;
+    frame.GetLightsGLSL("#define SHADOW_WEDGE_SHAPE 3\n") + vtkShadowReceivers::GetGLSL() + vtkPenumbraLightFS;
   how.SetParameters = [&](vtkShaderProgram* program)
   {
     program->SetUniformi("shadowReceivers", receivers.GetUnit());
     program->SetUniformi("shadowPlanes", planes.GetUnit());
-    program->SetUniformf("shadowShare", share);
     program->SetUniformi("shadowPassing", passing);
     program->SetUniformMatrix4x4("shadowVCToSWC", glm::value_ptr(VCToSWC));
   };
@@ -375,10 +374,10 @@ void vtkShadowVolumes::AddCounts(vtkShadowFrame& frame, vtkVisibilityBuffer& buf
     [&](bool zPass)
     {
       passing = zPass;
-      return [share](vtkShaderProgram* program) // of caps
+      return [](vtkShaderProgram* program) // of caps
       {
-        program->SetUniformf("shadowFront", -share);
-        program->SetUniformf("shadowBack", share);
+        program->SetUniformf("shadowFront", -1.0f);
+        program->SetUniformf("shadowBack", 1.0f);
       };
     },
     [&](const std::vector<vtkShadowCasterPart>& parts, const std::function<void(vtkShaderProgram*)>&)

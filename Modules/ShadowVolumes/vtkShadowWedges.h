@@ -37,8 +37,10 @@ struct VTKSOFTSHADOWSSHADOWVOLUMES_EXPORT vtkShadowWedgeEdge
   glm::dvec3 Ends[2];
   /** Through the light's centre and the edge, of unit normal; positive where the caster is. */
   glm::dvec4 Plane{ 0.0 };
-  /** How many times it counts. */
+  /** How many times it counts; negative where the caster is on the other side. */
   int Times = 1;
+  /** Planes of the two faces whose sides as the light sees them make it an edge; 0: none. */
+  glm::dvec4 Faces[2]{ glm::dvec4(0.0), glm::dvec4(0.0) };
 
   /** Set the plane; 0 where the centre lies in line with the edge, from where nothing is seen of it. */
   void SetPlane(const glm::dvec4& place);

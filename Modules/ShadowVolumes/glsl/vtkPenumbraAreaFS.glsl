@@ -1,15 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
+#extension GL_ARB_shader_bit_encoding : require
+#extension GL_ARB_gpu_shader5 : enable
 
-// Takes away what is hidden of a part of the light's area.
+// Takes away what is hidden of the light, or of a part of its area.
 
 //VTK::Output::Dec
 
-uniform sampler2DArray shadowSums;
+uniform sampler2DArray shadowReceivers;
+uniform sampler2DArray shadowSums; // how often the centre is hidden, what edges let through
 uniform float shadowShare;
 
 void main()
 {
-  float hidden = texelFetch(shadowSums, ivec3(gl_FragCoord.xy, 0), 0).r;
-  gl_FragData[0] = vec4(vec3(-shadowShare * clamp(hidden, 0.0, 1.0)), 0.0);
+  vec4 receiverVC = texelFetch(shadowReceivers, ivec3(gl_FragCoord.xy, 0), 0);
+  if (!shadowIsReceiver(receiverVC))
+  {
+    discard;
+  }
+  vec4 sums = texelFetch(shadowSums, ivec3(gl_FragCoord.xy, 0), 0);
+  float above = 1.0;
+  if (receiverVC.w > 0.0)
+  {
+    shadowAreaSeen area = shadowSeeArea(receiverVC.xyz);
+    above = shadowAboveHorizon(
+      shadowHorizon(area, shadowUnpackReceiver(receiverVC.w).normalVC));
+  }
+  vec3 seen = clamp(above * (1.0 - sums.x) + sums.yyy, 0.0, 1.0);
+  gl_FragData[0] = vec4(shadowShare * (seen - 1.0), 0.0);
 }

@@ -18,38 +18,59 @@ uniform vec3 shadowAreaVVC;
 uniform vec3 shadowAreaNormalVC;
 uniform mat4 shadowVCToSWC;
 
-// The rows as columns, to be multiplied from the left.
-mat3 shadowLightRows(vec3 positionVC)
+// What a receiver sees the light as.
+struct shadowAreaSeen
 {
-#if SHADOW_WEDGE_SHAPE == 3
-  return mat3(shadowAreaUVC, shadowAreaVVC, shadowAreaPlaceVC.xyz);
-#else
-  vec3 towardsVC = shadowAreaPlaceVC.xyz - positionVC;
+  mat3 rows; // as columns, to be multiplied from the left
+  vec3 towardsVC; // the light's centre, and half axes
+  vec3 uVC;
+  vec3 vVC;
+};
+
+shadowAreaSeen shadowSeeArea(vec3 positionVC)
+{
+  shadowAreaSeen area;
+  area.towardsVC = shadowAreaPlaceVC.xyz - shadowAreaPlaceVC.w * positionVC;
 #if SHADOW_WEDGE_SHAPE == 2
-  float distance = length(towardsVC);
-  vec3 axisVC = towardsVC / max(distance, 1e-30);
+  float distance = max(length(area.towardsVC), 1e-30);
+  vec3 axisVC = area.towardsVC / distance;
   vec3 leastVC = abs(axisVC.x) <= min(abs(axisVC.y), abs(axisVC.z)) ? vec3(1.0, 0.0, 0.0)
     : (abs(axisVC.y) <= abs(axisVC.z) ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0));
   vec3 acrossVC = normalize(cross(axisVC, leastVC));
+  vec3 upVC = cross(axisVC, acrossVC);
   float perRadius = length(shadowAreaUVC);
-  return mat3(perRadius * acrossVC, perRadius * cross(axisVC, acrossVC),
-    axisVC / max(distance, 1e-30));
+  area.uVC = acrossVC / perRadius;
+  area.vVC = upVC / perRadius;
+  area.rows = mat3(perRadius * acrossVC, perRadius * upVC, axisVC / distance);
 #else
-  float height = dot(towardsVC, shadowAreaNormalVC);
+  area.uVC = shadowAreaUVC / dot(shadowAreaUVC, shadowAreaUVC);
+  area.vVC = shadowAreaVVC / dot(shadowAreaVVC, shadowAreaVVC);
+#if SHADOW_WEDGE_SHAPE == 3
+  area.rows = mat3(shadowAreaUVC, shadowAreaVVC, area.towardsVC);
+#else
+  float height = dot(area.towardsVC, shadowAreaNormalVC);
   // In the light's plane all of it is seen edge-on: any height that is no zero.
-  height = abs(height) > 1e-30 ? height : 1e-30;
-  vec3 depthVC = shadowAreaNormalVC / height;
-  return mat3(shadowAreaUVC - dot(towardsVC, shadowAreaUVC) * depthVC,
-    shadowAreaVVC - dot(towardsVC, shadowAreaVVC) * depthVC, depthVC);
+  vec3 depthVC = shadowAreaNormalVC / (abs(height) > 1e-30 ? height : 1e-30);
+  area.rows = mat3(shadowAreaUVC - dot(area.towardsVC, shadowAreaUVC) * depthVC,
+    shadowAreaVVC - dot(area.towardsVC, shadowAreaVVC) * depthVC, depthVC);
 #endif
 #endif
+  return area;
+}
+
+// What rounding can make of a receiver's place.
+float shadowSlack(vec4 receiverVC)
+{
+  shadowPropRounding = shadowUnpackReceiver(receiverVC.w).rounding;
+  return 2.0 * shadowRounding(receiverVC.xyz);
 }
 
 // Whether the light's centre is hidden by what ends at an edge, as far as that edge tells: both what counts
-// and what covers take it from here, so that they change at the same place.
-bool shadowIsBehind(vec4 planeSWC, vec3 positionVC)
+// and what covers take it from here, so that they change at the same place. Both faces at a silhouette's edge
+// lie on the hidden side, and so do all of their points, whatever rounding makes of them.
+bool shadowIsBehind(vec4 planeSWC, vec4 receiverVC)
 {
-  precise vec3 positionSWC = (shadowVCToSWC * vec4(positionVC, 1.0)).xyz;
-  precise float side = dot(planeSWC.xyz, positionSWC) + planeSWC.w;
-  return side > 0.0;
+  precise vec3 placeSWC = (shadowVCToSWC * vec4(receiverVC.xyz, 1.0)).xyz;
+  precise float side = dot(planeSWC.xyz, placeSWC) + planeSWC.w;
+  return side > -shadowSlack(receiverVC);
 }

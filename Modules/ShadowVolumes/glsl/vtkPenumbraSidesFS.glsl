@@ -11,7 +11,6 @@
 flat in vec4 shadowPlaneSWC;
 
 uniform sampler2DArray shadowReceivers;
-uniform float shadowShare;
 uniform bool shadowPassing; // what is entered before the receiver counts; else what is left behind it
 
 void main()
@@ -21,11 +20,11 @@ void main()
   {
     discard;
   }
-  float inside = shadowIsBehind(shadowPlaneSWC, receiverVC.xyz) ? 1.0 : 0.0;
+  float inside = shadowIsBehind(shadowPlaneSWC, receiverVC) ? 1.0 : 0.0;
   float start = gl_FrontFacing == shadowPassing ? 0.0 : 1.0; // inside where counting begins
   if (inside == start)
   {
     discard;
   }
-  gl_FragData[0] = vec4(vec3(shadowShare * (inside - start)), 0.0);
+  gl_FragData[0] = vec4(inside - start);
 }

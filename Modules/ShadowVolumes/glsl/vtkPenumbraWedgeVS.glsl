@@ -9,6 +9,8 @@ in vec3 wedgeFromSWC;
 in vec3 wedgeToSWC;
 in vec4 wedgePlaneSWC;
 in float wedgeTimes;
+in vec4 wedgeFirstFaceSWC; // planes of the faces that end there, outwards; 0 where there is none
+in vec4 wedgeSecondFaceSWC;
 
 uniform mat4 shadowSWCToClip;
 uniform mat4 shadowSWCToVC;
@@ -19,6 +21,8 @@ flat out vec3 shadowFromVC;
 flat out vec3 shadowToVC;
 flat out vec4 shadowPlaneSWC;
 flat out float shadowTimes;
+flat out vec4 shadowFirstFaceSWC;
+flat out vec4 shadowSecondFaceSWC;
 
 void main()
 {
@@ -31,4 +35,6 @@ void main()
   shadowToVC = (shadowSWCToVC * vec4(wedgeToSWC, 1.0)).xyz;
   shadowPlaneSWC = wedgePlaneSWC;
   shadowTimes = wedgeTimes;
+  shadowFirstFaceSWC = wedgeFirstFaceSWC;
+  shadowSecondFaceSWC = wedgeSecondFaceSWC;
 }
