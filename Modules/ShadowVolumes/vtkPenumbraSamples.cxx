@@ -11,11 +11,11 @@ void vtkPenumbraSamples::Set(const vtkShadowLight& light, int count, std::size_t
 {
   this->Count = count;
   this->Color = light.Emission != nullptr;
-  this->Digits = mostNested < 32 ? 4 : (mostNested < 128 ? 3 : 2);
+  this->Digits = mostNested <= LeastMost ? 4 : (mostNested < 128 ? 3 : 2);
   // On a light at 0 with unit axes.
   vtkShadowLight unit = light;
-  unit.Kind = light.Kind == vtkShadowLight::Shape::Rectangle ? light.Kind
-                                                             : vtkShadowLight::Shape::Disk;
+  unit.Kind =
+    light.Kind == vtkShadowLight::Shape::Rectangle ? light.Kind : vtkShadowLight::Shape::Disk;
   unit.Position = glm::dvec3(0.0);
   unit.U = { 1.0, 0.0, 0.0 };
   unit.V = { 0.0, 1.0, 0.0 };

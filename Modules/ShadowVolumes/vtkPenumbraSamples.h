@@ -16,6 +16,8 @@ class vtkPenumbraSamples
 {
 public:
   static constexpr int MostTargets = 8;
+  /** Counts up to this take the fewest targets. */
+  static constexpr std::size_t LeastMost = 31;
 
   int Count = 0;
   int Digits = 4; // of a float: 4 of base 64, 3 of base 256, or 2 of base 4096

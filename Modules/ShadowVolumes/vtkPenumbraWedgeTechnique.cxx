@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace
 {
@@ -59,6 +60,7 @@ bool vtkPenumbraWedgeTechnique::UpdateLightData(vtkShadowFrame& frame)
   settings.Silhouettes.Samples = split * split;
   settings.Silhouettes.Split = true;
   settings.Silhouettes.KeepLines = true;
+  settings.Silhouettes.EnoughNested = vtkPenumbraSamples::LeastMost;
   this->Volumes.Update(frame, settings);
   for (const char* name : { "wedges", "wedgesDrawn", "wedgesCulled" })
   {
@@ -93,7 +95,9 @@ void vtkPenumbraWedgeTechnique::UpdatePart(vtkShadowFrame& frame, int part)
   PartState& state = this->Parts[part];
   const vtkShadowLight& light = frame.Parts[part].Light;
   const vtkShadowSilhouetteCache& silhouettes = this->Volumes.GetSilhouettes();
-  const unsigned long version = silhouettes.GetVersion(part);
+  // Wedges end at the box around what receives.
+  const auto version =
+    std::make_pair(silhouettes.GetVersion(part), frame.Casters->GetReceiverVersion());
   if (version != state.Version)
   {
     state.Version = version;
@@ -105,7 +109,7 @@ void vtkPenumbraWedgeTechnique::UpdatePart(vtkShadowFrame& frame, int part)
       state.Areas.pop_back();
     }
     state.Samples.Count = 0;
-    const bool counts = this->Overlap == "count";
+    const bool counts = this->Overlap == "count" || light.Emission;
     const auto bounds =
       this->Bounds == "sphere" ? vtkShadowWedge::Bounds::Sphere : vtkShadowWedge::Bounds::Tight;
     for (std::size_t k = 0; k < areas; ++k)
@@ -143,17 +147,15 @@ void vtkPenumbraWedgeTechnique::AddWedges(vtkShadowFrame& frame, vtkVisibilityBu
   vtkPenumbraWedges& wedges, const char* shader, const std::string& definitions,
   const std::function<void(vtkShaderProgram*)>& setParameters)
 {
-  const std::string quantity = buffer.GetQuantity().empty() ? "" : "#define SHADOW_QUANTITY\n";
   const vtkShadowPrograms::Sources sources{ vtkPenumbraWedgeVS, nullptr, shader,
-    frame.GetLightsGLSL(quantity + definitions) + vtkShadowReceivers::GetGLSL() +
-      wedges.GetLightGLSL(),
+    frame.GetLightsGLSL(definitions) + vtkShadowReceivers::GetGLSL() + wedges.GetLightGLSL(),
     false };
   vtkShadowTexture& receivers = buffer.GetReceivers().GetTexture();
   receivers.Activate(frame.Window);
   this->Volumes.AddBehind(frame, buffer, targets, layer,
-    [&](const glm::dmat4& SWCToDraw, float farthest)
+    [&](const glm::dmat4& SWCToDraw, float farthest, const glm::vec2& retreat)
     {
-      wedges.Draw(frame, this->Volumes, SWCToDraw, farthest, sources,
+      wedges.Draw(frame, this->Volumes, SWCToDraw, farthest, retreat, sources,
         [&](vtkShaderProgram* program)
         {
           program->SetUniformi("shadowReceivers", receivers.GetUnit());
@@ -220,11 +222,32 @@ void vtkPenumbraWedgeTechnique::AddArea(
 {
   vtkPenumbraWedges& wedges = *this->Parts[part].Areas[area];
   this->CountCentre(frame, buffer, part, area);
-  this->AddWedges(
-    frame, buffer, { &this->Sums }, 0, part, wedges, vtkPenumbraSumFS, "", nullptr);
+  this->AddWedges(frame, buffer, { &this->Sums }, 0, part, wedges, vtkPenumbraSumFS, "", nullptr);
   const float share = 1.0f / static_cast<float>(this->Parts[part].Areas.size());
   this->AddOver(frame, buffer, part, wedges, vtkPenumbraAreaFS, "",
     [share](vtkShaderProgram* program) { program->SetUniformf("shadowShare", share); });
+}
+
+//------------------------------------------------------------------------------
+void vtkPenumbraWedgeTechnique::AddQuantity(
+  vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part, int area)
+{
+  const std::string& quantity = buffer.GetQuantity();
+  vtkPenumbraWedges& wedges = *this->Parts[part].Areas[area];
+  if (quantity == "centre")
+  {
+    this->Volumes.AddCounts(
+      frame, buffer, buffer.GetTarget(), part, part, area, wedges.GetPlanes());
+    return;
+  }
+  const std::string shown = quantity == "inner"   ? "#define SHADOW_WEDGE_HALF 1\n"
+                            : quantity == "outer" ? "#define SHADOW_WEDGE_HALF 0\n"
+                                                  : "#define SHADOW_QUANTITY\n";
+  const bool counts = this->CountsSamples(part);
+  this->AddWedges(frame, buffer, { &buffer.GetTarget() }, part, part, wedges,
+    counts ? vtkPenumbraCountFS : vtkPenumbraSumFS,
+    counts ? this->Parts[part].Samples.GetDefinitions(0) + "#define SHADOW_QUANTITY\n" : shown,
+    nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -240,13 +263,12 @@ void vtkPenumbraWedgeTechnique::AddSamples(
     std::vector<const vtkShadowTexture*> counts;
     for (int t = 0; t < targets; ++t)
     {
-      this->Counts[t].Allocate(frame.Window, vtkShadowTexture::Format::Float4, buffer.GetWidth(),
-        buffer.GetHeight(), 1);
+      this->Counts[t].Allocate(
+        frame.Window, vtkShadowTexture::Format::Float4, buffer.GetWidth(), buffer.GetHeight(), 1);
       counts.push_back(&this->Counts[t]);
     }
     {
-      vtkShadowFramebuffer::Scope scope(
-        frame.Window, buffer.GetFramebuffer(), counts, nullptr, 0);
+      vtkShadowFramebuffer::Scope scope(frame.Window, buffer.GetFramebuffer(), counts, nullptr, 0);
       const float none[] = { 0.0f, 0.0f, 0.0f, 0.0f };
       for (int t = 0; t < targets; ++t)
       {
@@ -284,7 +306,7 @@ void vtkPenumbraWedgeTechnique::AddSamples(
 void vtkPenumbraWedgeTechnique::FillVisibility(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer)
 {
   const bool cost = !buffer.GetQuantity().empty();
-  this->MostWedges = 0.0;
+  this->Most = 0.0;
   bool memory = this->Volumes.UpdateDepth(frame, buffer);
   memory = memory && this->Sums.Allocate(frame.Window, vtkShadowTexture::Format::Float2,
                        buffer.GetWidth(), buffer.GetHeight(), 1);
@@ -302,29 +324,24 @@ void vtkPenumbraWedgeTechnique::FillVisibility(vtkShadowFrame& frame, vtkVisibil
     }
     for (int k = 0; k < static_cast<int>(state.Areas.size()); ++k)
     {
-      if (cost)
-      {
-        this->AddWedges(frame, buffer, { &buffer.GetTarget() }, i, i, *state.Areas[k],
-          vtkPenumbraSumFS, "", nullptr);
-      }
-      else
-      {
-        this->CountsSamples(i) ? this->AddSamples(frame, buffer, i)
+      cost                     ? this->AddQuantity(frame, buffer, i, k)
+      : this->CountsSamples(i) ? this->AddSamples(frame, buffer, i)
                                : this->AddArea(frame, buffer, i, k);
-      }
     }
     if (cost)
     {
-      const auto wedges = buffer.ReadTarget(frame.Window, i);
-      this->MostWedges =
-        std::max<double>(this->MostWedges, *std::max_element(wedges.begin(), wedges.end()));
+      const auto values = buffer.ReadTarget(frame.Window, i);
+      this->Most = std::max<double>(this->Most, *std::max_element(values.begin(), values.end()));
+      if (buffer.GetQuantity() == "cost")
+      {
+        frame.Counts["wedgePixels"] += std::accumulate(values.begin(), values.end(), 0.0);
+      }
     }
   }
   if (!memory)
   {
     frame.Messages->Error("no memory for wedges over " + std::to_string(buffer.GetWidth()) + " x " +
-                          std::to_string(buffer.GetHeight()) +
-                          " pixels; drawn without shadows.");
+                          std::to_string(buffer.GetHeight()) + " pixels; drawn without shadows.");
   }
 }
 

@@ -21,7 +21,11 @@ public:
 
   bool UpdateLightData(vtkShadowFrame& frame) override;
   void FillVisibility(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer) override;
-  double GetMaximumCost() override { return this->MostWedges; }
+  double GetMaximumCost() override { return this->Most; }
+  std::string GetDebugQuantity(const std::string& view) override
+  {
+    return view == "cost" || view == "centre" || view == "inner" || view == "outer" ? view : "";
+  }
   std::vector<std::pair<std::string, std::size_t>> GetBytes() override;
   void Release(vtkOpenGLRenderWindow* window) override;
 
@@ -32,7 +36,7 @@ private:
     vtkPenumbraSamples Samples; // that are counted one by one
 
     std::vector<std::unique_ptr<vtkPenumbraWedges>> Areas;
-    unsigned long Version = 0; // of the silhouettes that they were made of
+    std::pair<unsigned long, unsigned long> Version; // of silhouettes and receivers, then
   };
 
   void UpdatePart(vtkShadowFrame& frame, int part);
@@ -45,6 +49,8 @@ private:
   void CountCentre(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part, int area);
   /** Take away what is hidden of an area: by the sum of its edges, or by counts of its samples. */
   void AddArea(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part, int area);
+  /** What a debug view shows of an area. */
+  void AddQuantity(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part, int area);
   void AddSamples(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part);
   /** Add up what a shader draws over a layer of the buffer's target. */
   void AddOver(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part,
@@ -57,9 +63,9 @@ private:
   std::string Bounds;
   std::string Overlap;
   int Samples = 0;
-  vtkShadowTexture Sums;   // of one area
+  vtkShadowTexture Sums;                                                // of one area
   std::array<vtkShadowTexture, vtkPenumbraSamples::MostTargets> Counts; // of samples
-  double MostWedges = 0.0;
+  double Most = 0.0; // of a quantity, when it was last shown
 };
 
 #endif

@@ -8,19 +8,22 @@
 #include "vtkShadowFrame.h"
 #include "vtkShadowOpenGL.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace
 {
 using Shape = vtkShadowLight::Shape;
 
-/** So many boxes of receivers are compared with each wedge at most. */
-constexpr std::size_t MostBoxes = 64;
+/** What the box around receivers is larger by: a share of its own size. */
+constexpr double Slack = 1e-5;
 
 glm::dvec3 GetVertex(const vtkShadowCaster& caster, std::uint32_t vertex)
 {
@@ -39,17 +42,35 @@ void Append(std::vector<float>& values, const Vector& vector)
 }
 
 //------------------------------------------------------------------------------
-vtkPenumbraWedges::Boxes vtkPenumbraWedges::GetReceivers(const vtkShadowCasters& casters)
+std::vector<glm::dvec4> vtkPenumbraWedges::GetReceivers(const vtkShadowCasters& casters)
 {
-  Boxes boxes = casters.GetReceivers();
+  constexpr double most = std::numeric_limits<double>::max();
+  glm::dvec3 low(most);
+  glm::dvec3 high(-most);
+  const auto add = [&](const std::array<glm::dvec3, 8>& corners)
+  {
+    for (const auto& corner : corners)
+    {
+      low = glm::min(low, corner);
+      high = glm::max(high, corner);
+    }
+  };
+  std::for_each(casters.GetReceivers().begin(), casters.GetReceivers().end(), add);
   for (const auto& caster : casters.Get())
   {
     if (caster.Receives)
     {
-      boxes.push_back(caster.Corners);
+      add(caster.Corners);
     }
   }
-  return boxes.size() > MostBoxes ? Boxes() : boxes;
+  if (!(low.x <= high.x))
+  {
+    return {};
+  }
+  const double slack = Slack * glm::length(high - low);
+  return { { 1.0, 0.0, 0.0, slack - low.x }, { -1.0, 0.0, 0.0, high.x + slack },
+    { 0.0, 1.0, 0.0, slack - low.y }, { 0.0, -1.0, 0.0, high.y + slack },
+    { 0.0, 0.0, 1.0, slack - low.z }, { 0.0, 0.0, -1.0, high.z + slack } };
 }
 
 //------------------------------------------------------------------------------
@@ -74,22 +95,19 @@ void vtkPenumbraWedges::StartPart(int caster)
 void vtkPenumbraWedges::AddWedge(const vtkShadowWedgeEdge& edge, vtkShadowWedge::Bounds bounds)
 {
   vtkShadowWedge wedge;
-  wedge.Bound(this->Light, edge.Ends, bounds);
-  if (wedge.Triangles.empty())
+  if (!this->Receivers.empty())
   {
-    return;
+    wedge.Bound(this->Light, edge.Ends, bounds, this->Receivers);
   }
-  if (!this->Receivers.empty() && std::all_of(this->Receivers.begin(), this->Receivers.end(),
-                                    [&](const std::array<glm::dvec3, 8>& box)
-                                    { return wedge.Misses(box.data(), 8); }))
+  if (wedge.Faces.empty() && !wedge.Whole)
   {
     ++this->Culled;
     return;
   }
-  for (const auto& corner : wedge.Triangles)
+  std::size_t corners = 0;
+  const auto add = [&](const glm::dvec3& place, bool ofPicture)
   {
-    Append(this->Values, glm::dvec4(corner.Base, corner.Kind));
-    Append(this->Values, corner.Along);
+    Append(this->Values, glm::dvec4(place, ofPicture ? 1.0 : 0.0));
     Append(this->Values, edge.Ends[0]);
     Append(this->Values, edge.Ends[1]);
     Append(this->Values, edge.Plane);
@@ -99,19 +117,37 @@ void vtkPenumbraWedges::AddWedge(const vtkShadowWedgeEdge& edge, vtkShadowWedge:
       Append(this->Values, edge.Faces[0]);
       Append(this->Values, edge.Faces[1]);
     }
+    ++corners;
+  };
+  for (const auto& face : wedge.Faces)
+  {
+    for (std::size_t k = 1; k + 1 < face.size(); ++k)
+    {
+      for (const std::size_t i : { std::size_t(0), k, k + 1 })
+      {
+        add(glm::dvec3(face[i]), false);
+      }
+    }
+  }
+  if (wedge.Whole)
+  {
+    // The picture, both ways round: one of them is seen from behind.
+    for (const int i : { 0, 1, 2, 2, 1, 3, 0, 2, 1, 1, 2, 3 })
+    {
+      add({ i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, 0.0 }, true);
+    }
   }
   ++this->Wedges;
   ++this->Parts.back().Wedges;
-  this->Parts.back().Count += wedge.Triangles.size();
+  this->Parts.back().Count += corners;
 }
 
 //------------------------------------------------------------------------------
 void vtkPenumbraWedges::Upload()
 {
   glBindVertexArray(0);
-  std::vector<vtkShadowVertices::Attribute> attributes = { { "wedgeBaseSWC", 4 },
-    { "wedgeAlongSWC", 3 }, { "wedgeFromSWC", 3 }, { "wedgeToSWC", 3 }, { "wedgePlaneSWC", 4 },
-    { "wedgeTimes", 1 } };
+  std::vector<vtkShadowVertices::Attribute> attributes = { { "wedgeCornerSWC", 4 },
+    { "wedgeFromSWC", 3 }, { "wedgeToSWC", 3 }, { "wedgePlaneSWC", 4 }, { "wedgeTimes", 1 } };
   if (this->OfEdges)
   {
     attributes.push_back({ "wedgeFirstFaceSWC", 4 });
@@ -141,7 +177,7 @@ void vtkPenumbraWedges::MakeOfSilhouette(vtkShadowFrame& frame,
       edge.Times = 0;
       // Edges that count several times stand one after another.
       for (const std::size_t same = i; i < part.First + part.Count && lines[i] == lines[same] &&
-           lines[i + 1] == lines[same + 1];
+                                       lines[i + 1] == lines[same + 1];
            i += 2)
       {
         ++edge.Times;
@@ -193,15 +229,14 @@ int vtkPenumbraWedges::FindSide(const glm::dvec4& plane) const
 }
 
 //------------------------------------------------------------------------------
-void vtkPenumbraWedges::AddEdges(const vtkShadowCaster& caster,
-  const vtkShadowAdjacency& adjacency, vtkShadowWedge::Bounds bounds)
+void vtkPenumbraWedges::AddEdges(
+  const vtkShadowCaster& caster, const vtkShadowAdjacency& adjacency, vtkShadowWedge::Bounds bounds)
 {
   const vtkShadowFacePlanes planes(caster, adjacency);
   std::vector<signed char> sides(adjacency.Planes.size());
   for (std::size_t f = 0; f < sides.size(); ++f)
   {
-    sides[f] =
-      static_cast<signed char>(this->FindSide(planes.Get(static_cast<std::uint32_t>(f))));
+    sides[f] = static_cast<signed char>(this->FindSide(planes.Get(static_cast<std::uint32_t>(f))));
   }
   const int turn = planes.IsMirrored() ? -1 : 1;
   const auto faces = [&](std::uint32_t face) // the light's centre, as silhouettes tell
@@ -251,9 +286,8 @@ void vtkPenumbraWedges::AddEdges(const vtkShadowCaster& caster,
 }
 
 //------------------------------------------------------------------------------
-void vtkPenumbraWedges::MakeOfEdges(vtkShadowFrame& frame,
-  const vtkShadowAdjacencies& adjacencies, const std::vector<int>& casters,
-  vtkShadowWedge::Bounds bounds)
+void vtkPenumbraWedges::MakeOfEdges(vtkShadowFrame& frame, const vtkShadowAdjacencies& adjacencies,
+  const std::vector<int>& casters, vtkShadowWedge::Bounds bounds)
 {
   this->Start(frame, true);
   for (const int i : casters)
@@ -314,13 +348,13 @@ void vtkPenumbraWedges::SetLight(const vtkShadowFrame& frame, vtkShaderProgram* 
 
 //------------------------------------------------------------------------------
 void vtkPenumbraWedges::Draw(vtkShadowFrame& frame, const vtkShadowVolumes& volumes,
-  const glm::dmat4& SWCToDraw, float farthest, const vtkShadowPrograms::Sources& sources,
+  const glm::dmat4& SWCToDraw, float farthest, const glm::vec2& retreat,
+  const vtkShadowPrograms::Sources& sources,
   const std::function<void(vtkShaderProgram*)>& setParameters)
 {
   const auto extremes = this->GetExtremes();
   glm::mat4 SWCToClip(SWCToDraw);
   glm::mat4 SWCToVC(frame.GetSWCToVC());
-  double reach = 0.0;
   std::vector<std::pair<std::size_t, std::size_t>> runs; // of corners, one after another
   for (const auto& part : this->Parts)
   {
@@ -335,8 +369,6 @@ void vtkPenumbraWedges::Draw(vtkShadowFrame& frame, const vtkShadowVolumes& volu
       continue;
     }
     frame.Counts["wedgesDrawn"] += static_cast<double>(part.Wedges);
-    const double seen = volumes.GetReach(caster.GetMiddle());
-    reach = std::max(reach, seen > 0.0 ? seen + caster.GetRadius() : 0.0);
     if (!runs.empty() && runs.back().first + runs.back().second == part.First)
     {
       runs.back().second += part.Count;
@@ -354,8 +386,8 @@ void vtkPenumbraWedges::Draw(vtkShadowFrame& frame, const vtkShadowVolumes& volu
       {
         program->SetUniformMatrix4x4("shadowSWCToClip", glm::value_ptr(SWCToClip));
         program->SetUniformMatrix4x4("shadowSWCToVC", glm::value_ptr(SWCToVC));
-        program->SetUniformf("shadowReach", static_cast<float>(reach));
         program->SetUniformf("shadowFarthest", farthest);
+        program->SetUniform2f("shadowRetreat", glm::value_ptr(retreat));
         this->SetLight(frame, program);
         setParameters(program);
       });

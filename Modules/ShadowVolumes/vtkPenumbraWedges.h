@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The wedges of one light, or of a part of its area: made from edges that casters end at, kept on the GPU.
 //
-//   wedges  vertex buffer    72 bytes a corner, 104 of all edges; about 50 corners a wedge
+//   wedges  vertex buffer    60 bytes a corner, 92 of all edges; about 50 corners a wedge
 //   planes  RGBA32F buffer   a texel a line of the silhouettes' batch: through the light's centre and the
 //                            edge, in SWC, positive where the caster is
 
@@ -15,7 +15,6 @@
 
 #include <glm/vec3.hpp>
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -37,8 +36,7 @@ public:
   const vtkShadowWedgeLight& GetLight() const { return this->Light; }
 
   /** Make the planes of the silhouettes of a light's place, for the count of volumes. */
-  void MakePlanes(
-    vtkShadowFrame& frame, const vtkShadowSilhouetteCache::Batch& batch, int place);
+  void MakePlanes(vtkShadowFrame& frame, const vtkShadowSilhouetteCache::Batch& batch, int place);
   /** Make the wedges of the silhouettes of a light's place. */
   void MakeOfSilhouette(vtkShadowFrame& frame, const vtkShadowSilhouetteCache::Batch& batch,
     int place, vtkShadowWedge::Bounds bounds);
@@ -52,7 +50,7 @@ public:
 
   /** Draw those that may be seen, for vtkShadowVolumes::AddBehind; counts in the frame. */
   void Draw(vtkShadowFrame& frame, const vtkShadowVolumes& volumes, const glm::dmat4& SWCToDraw,
-    float farthest, const vtkShadowPrograms::Sources& sources,
+    float farthest, const glm::vec2& retreat, const vtkShadowPrograms::Sources& sources,
     const std::function<void(vtkShaderProgram*)>& setParameters);
   /** Set what vtkPenumbraLightFS.glsl needs; and what it is to begin with. */
   void SetLight(const vtkShadowFrame& frame, vtkShaderProgram* program) const;
@@ -72,8 +70,6 @@ private:
     std::size_t Count;
     std::size_t Wedges;
   };
-  using Boxes = std::vector<std::array<glm::dvec3, 8>>;
-
   void Start(const vtkShadowFrame& frame, bool ofEdges);
   void StartPart(int caster);
   void AddWedge(const vtkShadowWedgeEdge& edge, vtkShadowWedge::Bounds bounds);
@@ -82,8 +78,8 @@ private:
   int FindSide(const glm::dvec4& plane) const;
   void AddEdges(const vtkShadowCaster& caster, const vtkShadowAdjacency& adjacency,
     vtkShadowWedge::Bounds bounds);
-  /** What may be shadowed; none where there is too much of it to be asked for each wedge. */
-  static Boxes GetReceivers(const vtkShadowCasters& casters);
+  /** Planes of the box around all that may be shadowed, positive inside; none where nothing may. */
+  static std::vector<glm::dvec4> GetReceivers(const vtkShadowCasters& casters);
   std::vector<glm::dvec4> GetExtremes() const;
 
   vtkShadowWedgeLight Light;
@@ -92,8 +88,8 @@ private:
   std::vector<Part> Parts;
   bool OfEdges = false; // with faces
   std::size_t Wedges = 0;
-  std::size_t Culled = 0; // that no receiver lies in
-  Boxes Receivers;        // while wedges are made
+  std::size_t Culled = 0;            // that no receiver lies in
+  std::vector<glm::dvec4> Receivers; // while wedges are made
   std::vector<float> Values;
 };
 

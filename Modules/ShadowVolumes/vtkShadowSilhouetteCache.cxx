@@ -75,9 +75,10 @@ void vtkShadowSilhouetteCache::UpdatePart(
   state.Places.clear();
   if (!state.Casters.empty())
   {
-    state.Samples = this->Wanted.Split
-                      ? frame.Casters->GetMiddles(light, this->Wanted.Samples, state.Casters)
-                      : frame.Casters->GetPlaces(light, this->Wanted.Samples, state.Casters);
+    state.Samples =
+      this->Wanted.Split
+        ? frame.Casters->GetMiddles(light, light.Emission ? 1 : this->Wanted.Samples, state.Casters)
+        : frame.Casters->GetPlaces(light, this->Wanted.Samples, state.Casters);
   }
   for (const auto& sample : state.Samples)
   {
@@ -111,7 +112,7 @@ void vtkShadowSilhouetteCache::Find(
     std::min<std::size_t>(vtkShadowSilhouettes::MostPlaces, state.Places.size() - first);
   const auto start = std::chrono::steady_clock::now();
   result.Silhouettes.Find(*frame.Casters, this->Adjacencies, state.Casters,
-    state.Places.data() + first, static_cast<int>(count));
+    state.Places.data() + first, static_cast<int>(count), this->Wanted.EnoughNested);
   const auto& lines = result.Silhouettes.GetLines();
   frame.Counts["silhouetteMilliseconds"] +=
     std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();

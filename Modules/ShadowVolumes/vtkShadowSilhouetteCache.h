@@ -40,17 +40,20 @@ public:
   {
     /** Places on each light that has a size; 1 is its centre. */
     int Samples = 1;
-    /** They are the middles of equal squares of the light, a square number of them. */
+    /** They are the middles of equal squares of the light, a square number of them; a textured one is whole. */
     bool Split = false;
     /** Lines stay on the CPU too, those of all places. */
     bool KeepLines = false;
+    /** A bound on nested volumes need not be lower. */
+    std::size_t EnoughNested = 255;
     /** Bytes for all lines. */
     std::size_t MemoryLimit = std::size_t(1) << 32;
 
     bool operator==(const Options& other) const
     {
       return this->Samples == other.Samples && this->Split == other.Split &&
-             this->KeepLines == other.KeepLines && this->MemoryLimit == other.MemoryLimit;
+             this->KeepLines == other.KeepLines && this->EnoughNested == other.EnoughNested &&
+             this->MemoryLimit == other.MemoryLimit;
     }
   };
   /** Bring silhouettes up to date. What was done is counted in the frame. */

@@ -159,7 +159,7 @@ glm::dvec4 vtkShadowFacePlanes::Get(std::uint32_t face) const
 //------------------------------------------------------------------------------
 void vtkShadowSilhouettes::Find(const vtkShadowCasters& casters,
   const vtkShadowAdjacencies& adjacencies, const std::vector<int>& which, const glm::dvec4* places,
-  int numberOfPlaces)
+  int numberOfPlaces, std::size_t enoughNested)
 {
   this->Silhouettes.assign(numberOfPlaces, {});
   std::vector<std::vector<std::uint32_t>> lines(numberOfPlaces);
@@ -191,14 +191,14 @@ void vtkShadowSilhouettes::Find(const vtkShadowCasters& casters,
     }
     this->Lines.insert(this->Lines.end(), lines[k].begin(), lines[k].end());
     this->Silhouettes[k].MostNested =
-      this->FindMostNested(casters, which, places[k], this->Silhouettes[k].Parts);
+      this->FindMostNested(casters, which, places[k], this->Silhouettes[k].Parts, enoughNested);
   }
 }
 
 //------------------------------------------------------------------------------
 std::size_t vtkShadowSilhouettes::FindMostNested(const vtkShadowCasters& casters,
   const std::vector<int>& which, const glm::dvec4& place,
-  const std::vector<vtkShadowCasterPart>& parts) const
+  const std::vector<vtkShadowCasterPart>& parts, std::size_t enough) const
 {
   std::size_t lines = 0;
   for (const auto& part : parts)
@@ -226,7 +226,7 @@ std::size_t vtkShadowSilhouettes::FindMostNested(const vtkShadowCasters& casters
   {
     return triangles; // every face, at worst
   }
-  if (lines / 2 <= std::numeric_limits<std::uint8_t>::max())
+  if (lines / 2 <= enough)
   {
     return lines / 2; // as good as anything less
   }

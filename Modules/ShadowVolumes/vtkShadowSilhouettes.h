@@ -73,10 +73,12 @@ public:
 
   /**
    * Find the silhouettes of casters (indices into Get(), with adjacencies) from up to 64 places:
-   * positions in SWC (w 1) or directions towards the light (w 0).
+   * positions in SWC (w 1) or directions towards the light (w 0). A bound on nested volumes need not be
+   * lower than what is enough.
    */
   void Find(const vtkShadowCasters& casters, const vtkShadowAdjacencies& adjacencies,
-    const std::vector<int>& which, const glm::dvec4* places, int numberOfPlaces);
+    const std::vector<int>& which, const glm::dvec4* places, int numberOfPlaces,
+    std::size_t enoughNested = 255);
 
   /** One for each place. */
   const std::vector<vtkShadowSilhouette>& Get() const { return this->Silhouettes; }
@@ -91,7 +93,8 @@ public:
 
 private:
   std::size_t FindMostNested(const vtkShadowCasters& casters, const std::vector<int>& which,
-    const glm::dvec4& place, const std::vector<vtkShadowCasterPart>& parts) const;
+    const glm::dvec4& place, const std::vector<vtkShadowCasterPart>& parts,
+    std::size_t enough) const;
 
   std::vector<vtkShadowSilhouette> Silhouettes;
   std::vector<std::uint32_t> Lines;

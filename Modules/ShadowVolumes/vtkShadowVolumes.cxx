@@ -243,17 +243,6 @@ bool vtkShadowVolumes::IsOutOfView(
 }
 
 //------------------------------------------------------------------------------
-double vtkShadowVolumes::GetReach(const glm::dvec3& from) const
-{
-  double reach = 0.0;
-  for (const auto& corner : this->FrustumCorners)
-  {
-    reach = std::max(reach, glm::length(corner - from));
-  }
-  return this->Parallel ? reach : 0.0;
-}
-
-//------------------------------------------------------------------------------
 bool vtkShadowVolumes::IsLookedInto(const vtkShadowCaster& caster) const
 {
   if (auto* actor = vtkActor::SafeDownCast(caster.Prop))

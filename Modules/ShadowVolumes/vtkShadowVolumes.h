@@ -83,17 +83,17 @@ public:
    * sides, planes (a texel a line of the batch, in SWC) and the receiver's position tell it; of caps,
    * depths.
    */
-  void AddCounts(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer,
-    const vtkShadowTexture& target, int layer, int part, int sample, vtkShadowTexture& planes);
+  void AddCounts(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, const vtkShadowTexture& target,
+    int layer, int part, int sample, vtkShadowTexture& planes);
   /**
    * Add up what is drawn, where the back faces of something lie behind the receivers, in a layer of
-   * targets. What draws gets the matrix to draw with, and the clip coordinate of what is farthest.
+   * targets. What draws gets the matrix to draw with, the clip coordinate of what is farthest, and what to
+   * move back by: a share of the depth, and a depth.
    */
   void AddBehind(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer,
     const std::vector<const vtkShadowTexture*>& targets, int layer,
-    const std::function<void(const glm::dmat4& SWCToDraw, float farthest)>& draw);
-  /** In a parallel view, a distance from a point within which all that is seen lies; else 0. */
-  double GetReach(const glm::dvec3& from) const;
+    const std::function<void(
+      const glm::dmat4& SWCToDraw, float farthest, const glm::vec2& retreat)>& draw);
   /** Whether all that is behind a caster, from some places on a light, lies outside of the view. */
   bool IsOutOfView(const vtkShadowCaster& caster, const std::vector<glm::dvec4>& places) const;
   /** Add one where a face of a volume is drawn, in a layer of the buffer's target. */

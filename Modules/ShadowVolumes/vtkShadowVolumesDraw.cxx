@@ -356,8 +356,8 @@ void vtkShadowVolumes::AddCounts(vtkShadowFrame& frame, vtkVisibilityBuffer& buf
   vtkShadowCasterDraw how;
   how.GeometryShader = vtkPenumbraSidesGS;
   how.FragmentShader = vtkPenumbraSidesFS;
-  how.Definitions =
-    frame.GetLightsGLSL("#define SHADOW_WEDGE_SHAPE 3\n") + vtkShadowReceivers::GetGLSL() + vtkPenumbraLightFS;
+  how.Definitions = frame.GetLightsGLSL("#define SHADOW_WEDGE_SHAPE 3\n") +
+                    vtkShadowReceivers::GetGLSL() + vtkPenumbraLightFS;
   how.SetParameters = [&](vtkShaderProgram* program)
   {
     program->SetUniformi("shadowReceivers", receivers.GetUnit());
@@ -380,7 +380,8 @@ void vtkShadowVolumes::AddCounts(vtkShadowFrame& frame, vtkVisibilityBuffer& buf
         program->SetUniformf("shadowBack", 1.0f);
       };
     },
-    [&](const std::vector<vtkShadowCasterPart>& parts, const std::function<void(vtkShaderProgram*)>&)
+    [&](
+      const std::vector<vtkShadowCasterPart>& parts, const std::function<void(vtkShaderProgram*)>&)
     {
       frame.Drawing->DrawParts(
         frame.Window, this->SWCToDraw, GL_LINES, selection.Lines->Lines, parts, how);
@@ -392,7 +393,8 @@ void vtkShadowVolumes::AddCounts(vtkShadowFrame& frame, vtkVisibilityBuffer& buf
 //------------------------------------------------------------------------------
 void vtkShadowVolumes::AddBehind(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer,
   const std::vector<const vtkShadowTexture*>& targets, int layer,
-  const std::function<void(const glm::dmat4& SWCToDraw, float farthest)>& draw)
+  const std::function<void(const glm::dmat4& SWCToDraw, float farthest, const glm::vec2& retreat)>&
+    draw)
 {
   vtkShadowFramebuffer::Scope scope(
     frame.Window, buffer.GetFramebuffer(), targets, &this->Depth, layer);
@@ -409,7 +411,7 @@ void vtkShadowVolumes::AddBehind(vtkShadowFrame& frame, vtkVisibilityBuffer& buf
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   }
   glEnable(GL_DEPTH_CLAMP);
-  draw(this->SWCToDraw, this->ClipControl ? 0.0f : -1.0f);
+  draw(this->SWCToDraw, this->ClipControl ? 0.0f : -1.0f, this->GetRetreat());
   glDisable(GL_DEPTH_CLAMP);
   if (this->ClipControl)
   {

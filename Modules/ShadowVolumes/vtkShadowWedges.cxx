@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace
 {
@@ -40,7 +41,8 @@ bool AddCone(const glm::dvec3& towards, double radius, const glm::dvec3& edge, i
   const glm::dvec3 axis = towards / distance;
   glm::dvec3 across = glm::cross(axis, edge);
   const double length = glm::length(across);
-  across = length > 1e-6 * glm::length(edge) ? across / length : vtkShadowLight::Perpendicular(axis);
+  across =
+    length > 1e-6 * glm::length(edge) ? across / length : vtkShadowLight::Perpendicular(axis);
   const glm::dvec3 along = glm::cross(across, axis);
   const double tangent = radius / std::sqrt((distance - radius) * (distance + radius));
   for (const auto& p : GetPolygon(corners))
@@ -60,8 +62,8 @@ bool AddDirections(const vtkShadowWedgeLight& light, const glm::dvec3& point,
   if (bounds == vtkShadowWedge::Bounds::Sphere || light.Kind == Shape::Sphere)
   {
     const bool sphere = light.Kind == Shape::Sphere;
-    const double radius = light.Kind == Shape::Rectangle ? glm::length(light.U + light.V)
-                                                         : glm::length(light.U);
+    const double radius =
+      light.Kind == Shape::Rectangle ? glm::length(light.U + light.V) : glm::length(light.U);
     // The directional light's disk stands at distance 1, its cone's sine is less than its tangent.
     const double sine = directional ? radius / std::sqrt(1.0 + radius * radius) : radius;
     const int corners = sphere && bounds == vtkShadowWedge::Bounds::Tight ? 8 : 4;
@@ -124,55 +126,49 @@ void vtkShadowWedgeEdge::SetPlane(const glm::dvec4& place)
   const glm::dvec3 normal = glm::cross(along, from);
   const double length = glm::length(normal);
   const bool seen = length > 1e-12 * glm::length(along) * glm::length(from);
-  this->Plane = seen ? glm::dvec4(normal, -glm::dot(normal, this->Ends[0])) / length
-                     : glm::dvec4(0.0);
+  this->Plane =
+    seen ? glm::dvec4(normal, -glm::dot(normal, this->Ends[0])) / length : glm::dvec4(0.0);
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowWedge::BoundNothing()
+void vtkShadowWedge::Bound(const vtkShadowWedgeLight& light, const glm::dvec3 (&ends)[2],
+  Bounds bounds, const std::vector<glm::dvec4>& within)
 {
-  this->Whole = true;
-  this->Planes.clear();
-  this->Triangles.clear();
-  // Both ways round: one of them is seen from behind.
-  for (const int i : { 0, 1, 2, 2, 1, 3, 0, 2, 1, 1, 2, 3 })
-  {
-    this->Triangles.push_back(
-      { 2, { i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, 0.0 }, glm::dvec3(0.0) });
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkShadowWedge::Bound(
-  const vtkShadowWedgeLight& light, const glm::dvec3 (&ends)[2], Bounds bounds)
-{
-  this->Triangles.clear();
-  this->Planes.clear();
   this->Whole = false;
+  this->Faces.clear();
+  std::vector<std::vector<glm::dvec4>> faces;
+  const auto addPart = [&](const glm::dvec3& from, const glm::dvec3& to)
+  {
+    const glm::dvec3 part[2] = { from, to };
+    this->Faces.clear();
+    this->BoundPart(light, part, bounds);
+    for (const auto& plane : within)
+    {
+      this->Cut(plane);
+    }
+    faces.insert(faces.end(), this->Faces.begin(), this->Faces.end());
+  };
+  double heights[2] = { 0.0, 0.0 };
   if (light.Kind == Shape::Rectangle || light.Kind == Shape::Disk)
   {
-    // What lies before the light's plane and what lies behind it have bounds of their own.
-    const glm::dvec3 normal = glm::cross(light.U, light.V);
-    double heights[2];
     for (int i = 0; i < 2; ++i)
     {
-      heights[i] = glm::dot(normal, ends[i] - glm::dvec3(light.Place));
-    }
-    if ((heights[0] < 0.0) != (heights[1] < 0.0) && heights[0] != 0.0 && heights[1] != 0.0)
-    {
-      const double t = heights[0] / (heights[0] - heights[1]);
-      const glm::dvec3 middle = ends[0] + t * (ends[1] - ends[0]);
-      const glm::dvec3 parts[2][2] = { { ends[0], middle }, { middle, ends[1] } };
-      this->BoundPart(light, parts[0], bounds);
-      if (!this->Whole)
-      {
-        this->BoundPart(light, parts[1], bounds);
-      }
-      this->Planes.clear();
-      return;
+      heights[i] = glm::dot(glm::cross(light.U, light.V), ends[i] - glm::dvec3(light.Place));
     }
   }
-  this->BoundPart(light, ends, bounds);
+  if (heights[0] * heights[1] < 0.0)
+  {
+    // What lies before the light's plane and what lies behind it have bounds of their own.
+    const glm::dvec3 middle =
+      ends[0] + heights[0] / (heights[0] - heights[1]) * (ends[1] - ends[0]);
+    addPart(ends[0], middle);
+    addPart(middle, ends[1]);
+  }
+  else
+  {
+    addPart(ends[0], ends[1]);
+  }
+  this->Faces = this->Whole ? std::vector<std::vector<glm::dvec4>>() : std::move(faces);
 }
 
 //------------------------------------------------------------------------------
@@ -185,7 +181,7 @@ void vtkShadowWedge::BoundPart(
   {
     if (!AddDirections(light, end, edge, bounds, directions))
     {
-      this->BoundNothing();
+      this->Whole = true;
       return;
     }
   }
@@ -205,7 +201,7 @@ void vtkShadowWedge::BoundPart(
     const double along = glm::dot(direction, axis);
     if (!(along > LeastCosine * glm::length(direction)))
     {
-      this->BoundNothing();
+      this->Whole = true;
       return;
     }
     direction /= along;
@@ -217,50 +213,87 @@ void vtkShadowWedge::BoundPart(
   {
     return;
   }
-  const glm::dvec3 middle = 0.5 * (ends[0] + ends[1]);
-  const auto near = [&](int end) { return Corner{ 1, ends[end], glm::dvec3(0.0) }; };
-  const auto far = [&](int end, std::size_t k)
-  {
-    const glm::dvec3& along = directions[hull[k % count]];
-    return Corner{ 0, ends[end] - glm::dot(axis, ends[end] - middle) * along, along };
-  };
-  const auto add = [&](const Corner& a, const Corner& b, const Corner& c)
-  { this->Triangles.insert(this->Triangles.end(), { a, b, c }); };
-  std::vector<int> stands(count); // at which end each facet stands
+  const auto near = [&](int end) { return glm::dvec4(ends[end], 1.0); };
+  const auto far = [&](std::size_t k) { return glm::dvec4(directions[hull[k % count]], 0.0); };
+  std::vector<int> stands(count); // at which end each face stands
   for (std::size_t k = 0; k < count; ++k)
   {
-    const glm::dvec3 normal =
-      glm::normalize(glm::cross(directions[hull[k]], directions[hull[(k + 1) % count]]));
+    const glm::dvec3 normal = glm::cross(directions[hull[k]], directions[hull[(k + 1) % count]]);
     stands[k] = glm::dot(normal, edge) < 0.0 ? 1 : 0;
-    this->Planes.emplace_back(normal, -glm::dot(normal, ends[stands[k]]));
   }
-  std::vector<Corner> rim; // of what is far
+  std::vector<glm::dvec4> rim; // of what is infinitely far
   for (std::size_t k = 0; k < count; ++k)
   {
     const int i = stands[k];
     const int j = stands[(k + 1) % count];
-    add(near(i), far(i, k + 1), far(i, k));
-    rim.push_back(far(i, k + 1));
+    this->Faces.push_back({ near(i), far(k + 1), far(k) });
     if (i != j)
     {
-      add(near(j), far(j, k + 1), far(i, k + 1));
-      add(near(j), far(i, k + 1), near(i));
-      rim.push_back(far(j, k + 1));
+      this->Faces.push_back({ near(j), far(k + 1), near(i) });
     }
+    rim.push_back(far(k));
   }
-  for (std::size_t k = 1; k + 1 < rim.size(); ++k)
-  {
-    add(rim[0], rim[k], rim[k + 1]);
-  }
+  this->Faces.push_back(rim);
 }
 
 //------------------------------------------------------------------------------
-bool vtkShadowWedge::Misses(const glm::dvec3* corners, int count) const
+// Cuts are found from the corner inside to the one outside: both faces at an edge find the same.
+void vtkShadowWedge::Cut(const glm::dvec4& plane)
 {
-  return std::any_of(this->Planes.begin(), this->Planes.end(),
-    [&](const glm::dvec4& plane)
+  std::vector<glm::dvec4> rim;
+  std::vector<std::vector<glm::dvec4>> faces;
+  for (const auto& face : this->Faces)
+  {
+    std::vector<glm::dvec4> inside;
+    for (std::size_t i = 0; i < face.size(); ++i)
     {
-      return std::all_of(corners, corners + count,
-        [&](const glm::dvec3& corner) { return glm::dot(plane, glm::dvec4(corner, 1.0)) < 0.0; });
-    });
+      const glm::dvec4& a = face[i];
+      const glm::dvec4& b = face[(i + 1) % face.size()];
+      const double heightA = glm::dot(plane, a);
+      const double heightB = glm::dot(plane, b);
+      if (heightA >= 0.0)
+      {
+        inside.push_back(a);
+      }
+      if ((heightA >= 0.0) != (heightB >= 0.0))
+      {
+        const bool leaves = heightA >= 0.0;
+        const glm::dvec4& in = leaves ? a : b;
+        const glm::dvec4& out = leaves ? b : a;
+        const double heightIn = leaves ? heightA : heightB;
+        const double heightOut = leaves ? heightB : heightA;
+        glm::dvec4 cut = heightIn * out - heightOut * in;
+        cut /= cut.w > 0.0 ? cut.w : 1.0;
+        inside.push_back(cut);
+        if (std::find(rim.begin(), rim.end(), cut) == rim.end())
+        {
+          rim.push_back(cut);
+        }
+      }
+    }
+    if (inside.size() >= 3)
+    {
+      faces.push_back(std::move(inside));
+    }
+  }
+  if (rim.size() >= 3)
+  {
+    const glm::dvec3 normal(plane);
+    const glm::dvec3 x = vtkShadowLight::Perpendicular(glm::normalize(normal));
+    const glm::dvec3 y = glm::cross(x, normal); // counterclockwise from outside
+    glm::dvec3 middle(0.0);
+    for (const auto& corner : rim)
+    {
+      middle += glm::dvec3(corner) / static_cast<double>(rim.size());
+    }
+    const auto angle = [&](const glm::dvec4& corner)
+    {
+      const glm::dvec3 arm = glm::dvec3(corner) - middle;
+      return std::atan2(glm::dot(arm, y), glm::dot(arm, x));
+    };
+    std::sort(rim.begin(), rim.end(),
+      [&](const glm::dvec4& a, const glm::dvec4& b) { return angle(a) < angle(b); });
+    faces.push_back(std::move(rim));
+  }
+  this->Faces = std::move(faces);
 }

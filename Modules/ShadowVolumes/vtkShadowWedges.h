@@ -46,7 +46,7 @@ struct VTKSOFTSHADOWSSHADOWVOLUMES_EXPORT vtkShadowWedgeEdge
   void SetPlane(const glm::dvec4& place);
 };
 
-/** The bound of a wedge: triangles that close it, and planes. */
+/** The bound of a wedge, or of the part of it that lies in a box. */
 struct VTKSOFTSHADOWSSHADOWVOLUMES_EXPORT vtkShadowWedge
 {
   enum class Bounds
@@ -54,30 +54,19 @@ struct VTKSOFTSHADOWSSHADOWVOLUMES_EXPORT vtkShadowWedge
     Tight, // the hull of the light's own corners
     Sphere // of the sphere around the light, as four planes, as wedges were before the paper
   };
-  /** A corner of the bound. */
-  struct Corner
-  {
-    /** 0: far along a direction; 1: a point; 2: x and y are a corner of the picture. */
-    int Kind;
-    /** The point; or where the direction's ray, times the distance along the wedge's axis, starts. */
-    glm::dvec3 Base;
-    glm::dvec3 Along;
-  };
 
-  /** Three corners a triangle, seen counterclockwise from outside; none where the wedge is flat. */
-  std::vector<Corner> Triangles;
-  /** Inside is positive. */
-  std::vector<glm::dvec4> Planes;
-  /** It could not be bounded. */
+  /** Polygons that close it, in homogeneous coordinates, seen counterclockwise from outside. */
+  std::vector<std::vector<glm::dvec4>> Faces;
+  /** It could not be bounded: there are no faces, but it may be anywhere. */
   bool Whole = false;
 
-  void Bound(const vtkShadowWedgeLight& light, const glm::dvec3 (&ends)[2], Bounds bounds);
-  /** No point of a box is in it. */
-  bool Misses(const glm::dvec3* corners, int count) const;
+  /** Of the edge between two points, within planes that are positive inside. */
+  void Bound(const vtkShadowWedgeLight& light, const glm::dvec3 (&ends)[2], Bounds bounds,
+    const std::vector<glm::dvec4>& within);
 
 private:
   void BoundPart(const vtkShadowWedgeLight& light, const glm::dvec3 (&ends)[2], Bounds bounds);
-  void BoundNothing();
+  void Cut(const glm::dvec4& plane);
 };
 
 #endif

@@ -54,9 +54,6 @@ void main()
   {
     discard;
   }
-#ifdef SHADOW_QUANTITY
-  gl_FragData[0] = vec4(1.0);
-#else
   // Before its own face, whatever rounding has made of it.
   float height = shadowSelf ? shadowSlack(receiverVC) : 0.0;
   vec3 outsideVC = receiverVC.xyz + height * receiver.normalVC;
@@ -76,17 +73,24 @@ void main()
   SHADOW_CLIP(1.0 - from.z, 1.0 - to.z)
 #endif
   vec3 line = cross(from, to) * (determinant(area.rows) < 0.0 ? -1.0 : 1.0);
+#ifndef SHADOW_QUANTITY
   // Its line misses the light.
   if (times == 0.0 || !(last > first) || !shadowIsCut(line))
   {
     discard;
   }
+#endif
   // Where the centre's count does not change, the image alone tells on which side the centre is.
   bool behind = shadowPlaneSWC == vec4(0.0) ? line.z > 0.0 : shadowIsBehind(shadowPlaneSWC, receiverVC);
   vec2 p = first > 0.0 ? from.xy + first * along.xy : from.xy;
   vec2 q = last < 1.0 ? from.xy + last * along.xy : to.xy;
   times = behind ? -times : times;
-  gl_FragData[0] = times * shadowCountCrossings(0, p, q, line, behind);
+  vec4 crossings = times * shadowCountCrossings(0, p, q, line, behind);
+#ifdef SHADOW_QUANTITY
+  // Wedges over a pixel. The edge is asked all the same: its attributes are bound.
+  gl_FragData[0] = vec4(crossings.x > -1e30 ? 1.0 : 0.0);
+#else
+  gl_FragData[0] = crossings;
 #if SHADOW_TARGETS > 1
   gl_FragData[1] = times * shadowCountCrossings(SHADOW_DIGITS, p, q, line, behind);
 #endif

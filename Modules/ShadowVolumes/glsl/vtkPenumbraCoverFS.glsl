@@ -168,5 +168,11 @@ float shadowCover(vec3 from, vec3 to, bool cut, vec3 horizon)
   vec2 p = foot + ends.x * tangent;
   vec2 q = foot + ends.y * tangent;
 #endif
-  return cut ? shadowCoverAbove(p, q, horizon) : shadowCoverOfPart(p, q);
+  float cover = shadowCoverOfPart(p, q);
+  // A loop, since software jumps over loops, and not over branches.
+  for (int i = cut ? 0 : 1; i < 1; ++i)
+  {
+    cover = shadowCoverAbove(p, q, horizon);
+  }
+  return cover;
 }

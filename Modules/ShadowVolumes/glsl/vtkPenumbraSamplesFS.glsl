@@ -26,8 +26,8 @@ uniform vec4 shadowSampleGreen[SHADOW_DIGITS * SHADOW_TARGETS];
 uniform vec4 shadowSampleBlue[SHADOW_DIGITS * SHADOW_TARGETS];
 #endif
 
-vec4 shadowCentre; // how often the light's centre is hidden
-vec3 shadowHorizonLine;
+vec4 shadowCentre = vec4(0.0); // how often the light's centre is hidden
+vec3 shadowHorizonLine = vec3(0.0);
 
 // What the samples of a target add that are hidden.
 vec3 shadowAddHidden(sampler2DArray counts, int target)

@@ -24,18 +24,23 @@ void main()
   {
     discard;
   }
-#ifdef SHADOW_QUANTITY
-  gl_FragData[0] = vec4(1.0);
-#else
   shadowAreaSeen area = shadowSeeArea(receiverVC.xyz);
   vec3 horizon = shadowHorizon(area, normalVC);
-  float cover = shadowCover((shadowFromVC - receiverVC.xyz) * area.rows,
+  float cover = shadowTimes * shadowCover((shadowFromVC - receiverVC.xyz) * area.rows,
     (shadowToVC - receiverVC.xyz) * area.rows, shadowSelf && shadowIsCut(horizon), horizon);
+#ifdef SHADOW_QUANTITY
+  // Wedges over a pixel. The edge is asked all the same: its attributes are bound.
+  gl_FragData[0] = vec4(cover > (shadowIsBehind(shadowPlaneSWC, receiverVC) ? -1e30 : -2e30) ? 1.0 : 0.0);
+#else
   if (cover == 0.0)
   {
     discard;
   }
   bool behind = shadowIsBehind(shadowPlaneSWC, receiverVC);
-  gl_FragData[0] = vec4(0.0, vec3(shadowTimes * (behind ? cover : -cover)));
+#ifdef SHADOW_WEDGE_HALF
+  gl_FragData[0] = vec4(behind == (SHADOW_WEDGE_HALF == 1) ? cover : 0.0);
+#else
+  gl_FragData[0] = vec4(0.0, vec3(behind ? cover : -cover));
+#endif
 #endif
 }

@@ -3,8 +3,7 @@
 
 // A corner of a wedge's bound, and what its edge is.
 
-in vec4 wedgeBaseSWC; // w: what the corner is, see vtkShadowWedge::Corner
-in vec3 wedgeAlongSWC;
+in vec4 wedgeCornerSWC; // w: 1 for a corner of the picture
 in vec3 wedgeFromSWC;
 in vec3 wedgeToSWC;
 in vec4 wedgePlaneSWC;
@@ -14,7 +13,7 @@ in vec4 wedgeSecondFaceSWC;
 
 uniform mat4 shadowSWCToClip;
 uniform mat4 shadowSWCToVC;
-uniform float shadowReach;    // in a parallel view, how far the bound is drawn; else 0
+uniform vec2 shadowRetreat;   // what it is moved back, so that what lies in its faces is before them
 uniform float shadowFarthest; // clip coordinate of the depth of what is farthest
 
 flat out vec3 shadowFromVC;
@@ -26,11 +25,9 @@ flat out vec4 shadowSecondFaceSWC;
 
 void main()
 {
-  vec4 cornerSWC = wedgeBaseSWC.w > 0.5 ? vec4(wedgeBaseSWC.xyz, 1.0)
-    : (shadowReach > 0.0 ? vec4(wedgeBaseSWC.xyz + shadowReach * wedgeAlongSWC, 1.0)
-                         : vec4(wedgeAlongSWC, 0.0));
-  gl_Position = wedgeBaseSWC.w > 1.5 ? vec4(wedgeBaseSWC.xy, shadowFarthest, 1.0)
-                                     : shadowSWCToClip * cornerSWC;
+  vec4 cornerDC = shadowSWCToClip * vec4(wedgeCornerSWC.xyz, 1.0);
+  cornerDC.z -= dot(shadowRetreat, cornerDC.zw);
+  gl_Position = wedgeCornerSWC.w > 0.5 ? vec4(wedgeCornerSWC.xy, shadowFarthest, 1.0) : cornerDC;
   shadowFromVC = (shadowSWCToVC * vec4(wedgeFromSWC, 1.0)).xyz;
   shadowToVC = (shadowSWCToVC * vec4(wedgeToSWC, 1.0)).xyz;
   shadowPlaneSWC = wedgePlaneSWC;
