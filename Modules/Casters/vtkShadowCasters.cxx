@@ -284,6 +284,24 @@ std::vector<vtkLightSample> vtkShadowCasters::GetMiddles(
     const glm::dvec2 unit((i % side + 0.5) / side, (i / side + 0.5) / side);
     samples.push_back({ light.Map(unit, receiver), glm::dvec3(1.0 / (side * side)) });
   }
+  if (light.Kind != vtkShadowLight::Shape::Rectangle)
+  {
+    // Small disks do not cover a large one. Moved outwards, they are as wide as it together: their mean
+    // square distance from the centre is its own, half of the radius' square.
+    const glm::dvec3 centre = this->GetPlaces(light, 1, casters)[0].Point;
+    const double radius = glm::length(light.U);
+    double square = 0.0;
+    for (const auto& sample : samples)
+    {
+      const double distance = glm::length(sample.Point - centre) / radius;
+      square += distance * distance / (side * side);
+    }
+    const double factor = std::sqrt(0.5 * (1.0 - 1.0 / (side * side)) / square);
+    for (auto& sample : samples)
+    {
+      sample.Point = centre + factor * (sample.Point - centre);
+    }
+  }
   return samples;
 }
 

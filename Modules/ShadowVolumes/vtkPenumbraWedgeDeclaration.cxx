@@ -24,16 +24,18 @@ vtkShadowDeclaration Wedges()
   t.LightShapes = { Support::Exact, Support::Approximate, Support::Approximate,
     Support::Approximate, Support::Approximate, Support::Approximate };
   t.Parameters = {
-    vtkShadowParameter::Choice("overlap", "sum", { "sum", "count" },
+    vtkShadowParameter::Choice("overlap", "sum", { "sum", "loops", "count" },
       "How what edges hide adds up: as if no caster stood behind another, each by its "
-      "silhouette from the light's centre (sum); or by a count for each sample of the "
-      "light, of all edges that any point of it sees casters end at (count), as are "
-      "textured lights always"),
+      "silhouette from the light's centre (sum); likewise, but of two loops of "
+      "silhouettes the larger share and half of the smaller (loops); or by a count for "
+      "each sample of the light, of all edges that any point of it sees casters end at "
+      "(count), as are textured lights always"),
     vtkShadowParameter::Integer(
       "samples", 64, 1, 256, "Samples of the light that are counted for, with overlap=count")
       .At({ 16, 32, 64, 256 }),
     vtkShadowParameter::Integer("split", 1, 1, 4,
-      "With overlap=sum the light's area is cut into split x split parts, each with silhouettes of "
+      "With overlap=sum and loops the light's area is cut into split x split parts, each with "
+      "silhouettes of "
       "its own; parts of disks and spheres are smaller ones of the same area together")
       .At({ 1, 1, 1, 3 }),
     vtkShadowParameter::Choice("bounds", "tight", { "tight", "sphere" },
@@ -53,7 +55,11 @@ vtkShadowDeclaration Wedges()
   t.Limits = { "overlap=sum: where penumbrae of several casters, or of parts of one, overlap, what "
                "both hide counts twice: too dark. Of a body, only what its silhouette from the "
                "light's centre tells is known.",
-    "overlap=sum: of an open mesh an edge at which two faces fold counts twice, so that its "
+    "overlap=loops: how much two loops hide together is a guess. Of a caster in whose shadow the "
+    "eye "
+    "may be, or whose inside it may see, all loops are one; so are those after the first 256.",
+    "overlap=sum and loops: of an open mesh an edge at which two faces fold counts twice, so that "
+    "its "
     "penumbra is darker by up to twice; overlap=count is right there.",
     "overlap=count: few samples show as steps, as many grey levels as samples; beyond 2047 nested "
     "volumes counts may wrap.",

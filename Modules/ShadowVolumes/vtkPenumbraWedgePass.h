@@ -18,9 +18,10 @@
  *   6. One step over the picture, that takes the sum, or the samples that are hidden, from full light.
  *
  * Parameters, each with default and range:
- *   overlap  sum     sum or count: as the paper adds up, or a count for each sample of the light
+ *   overlap  sum     sum, loops or count: all edges together, max + min / 2 of the silhouettes' loops as in
+ *                    the paper's section 5.1, or a count for each sample of the light
  *   samples  64      1 to 256: of overlap=count
- *   split    1       1 to 4: the light is split x split lights, of overlap=sum
+ *   split    1       1 to 4: the light is split x split lights, of overlap=sum and loops
  *   bounds   tight   tight or sphere: what bounds a wedge; the picture is the same
  *
  * Debug views: "centre", how often the light's centre is hidden; "inner" and "outer", what the halves of
@@ -30,6 +31,7 @@
  *   wedges   vertex buffer     60 bytes a corner (92 with overlap=count), about 50 corners a wedge
  *   planes   RGBA32F buffer    a texel a line of the silhouettes
  *   sums     RG32F             viewport size: how often the centre is hidden, what edges let through
+ *   loops    2 x RG32F         viewport size: what loops hide, what holes let through; of overlap=loops
  *   counts   1 to 8 x RGBA32F  viewport size: of samples, 4, 3 or 2 digits a channel
  */
 

@@ -5,6 +5,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkPenumbraAreaFS.h"
 #include "vtkPenumbraCountFS.h"
+#include "vtkPenumbraLoopsFS.h"
 #include "vtkPenumbraSamplesFS.h"
 #include "vtkPenumbraSumFS.h"
 #include "vtkPenumbraWedgeVS.h"
@@ -28,6 +29,9 @@ using Shape = vtkShadowLight::Shape;
 /** A light without width is a narrow one: no formula has a limit of its own. */
 constexpr double Narrowest = 1e-4;
 
+/** So many loops are combined one by one; the rest, the shortest of the last casters, are one more. */
+constexpr std::size_t MostLoops = 256;
+
 /** A light's area, or one of side x side parts of it around a place. */
 vtkShadowWedgeLight MakeArea(const vtkShadowLight& light, const glm::dvec4& place, int side)
 {
@@ -36,6 +40,14 @@ vtkShadowWedgeLight MakeArea(const vtkShadowLight& light, const glm::dvec4& plac
   area.Place = place;
   area.U = light.U / static_cast<double>(side);
   area.V = light.V / static_cast<double>(side);
+  if (light.IsDirectional())
+  {
+    // A part's disk stands across its own direction.
+    const glm::dvec3 towards = glm::normalize(glm::dvec3(place));
+    area.Place = glm::dvec4(towards, 0.0);
+    area.U -= glm::dot(area.U, towards) * towards;
+    area.V = glm::cross(towards, area.U);
+  }
   const double u = glm::length(area.U);
   const double v = glm::length(area.V);
   if (u < Narrowest * v)
@@ -60,9 +72,10 @@ bool vtkPenumbraWedgeTechnique::UpdateLightData(vtkShadowFrame& frame)
   settings.Silhouettes.Samples = split * split;
   settings.Silhouettes.Split = true;
   settings.Silhouettes.KeepLines = true;
+  settings.Silhouettes.Loops = overlap == "loops";
   settings.Silhouettes.EnoughNested = vtkPenumbraSamples::LeastMost;
   this->Volumes.Update(frame, settings);
-  for (const char* name : { "wedges", "wedgesDrawn", "wedgesCulled" })
+  for (const char* name : { "wedges", "wedgesDrawn", "wedgesCulled", "loops" })
   {
     frame.Counts[name] = 0;
   }
@@ -145,7 +158,7 @@ void vtkPenumbraWedgeTechnique::UpdatePart(vtkShadowFrame& frame, int part)
 void vtkPenumbraWedgeTechnique::AddWedges(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer,
   const std::vector<const vtkShadowTexture*>& targets, int layer, int part,
   vtkPenumbraWedges& wedges, const char* shader, const std::string& definitions,
-  const std::function<void(vtkShaderProgram*)>& setParameters)
+  const std::function<void(vtkShaderProgram*)>& setParameters, const std::vector<int>* some)
 {
   const vtkShadowPrograms::Sources sources{ vtkPenumbraWedgeVS, nullptr, shader,
     frame.GetLightsGLSL(definitions) + vtkShadowReceivers::GetGLSL() + wedges.GetLightGLSL(),
@@ -155,7 +168,8 @@ void vtkPenumbraWedgeTechnique::AddWedges(vtkShadowFrame& frame, vtkVisibilityBu
   this->Volumes.AddBehind(frame, buffer, targets, layer,
     [&](const glm::dmat4& SWCToDraw, float farthest, const glm::vec2& retreat)
     {
-      wedges.Draw(frame, this->Volumes, SWCToDraw, farthest, retreat, sources,
+      wedges.Draw(
+        frame, this->Volumes, SWCToDraw, farthest, retreat, sources,
         [&](vtkShaderProgram* program)
         {
           program->SetUniformi("shadowReceivers", receivers.GetUnit());
@@ -165,14 +179,16 @@ void vtkPenumbraWedgeTechnique::AddWedges(vtkShadowFrame& frame, vtkVisibilityBu
           {
             setParameters(program);
           }
-        });
+        },
+        some);
     });
   receivers.Deactivate(frame.Window);
 }
 
 //------------------------------------------------------------------------------
-void vtkPenumbraWedgeTechnique::AddOver(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer,
-  int part, const vtkPenumbraWedges& wedges, const char* shader, const std::string& definitions,
+void vtkPenumbraWedgeTechnique::DrawOver(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer,
+  const vtkShadowTexture& target, int layer, bool adds, vtkShadowTexture& sums,
+  const vtkPenumbraWedges& wedges, const char* shader, const std::string& definitions,
   const std::function<void(vtkShaderProgram*)>& setParameters)
 {
   std::string source = shader;
@@ -182,29 +198,28 @@ void vtkPenumbraWedgeTechnique::AddOver(vtkShadowFrame& frame, vtkVisibilityBuff
   vtkOpenGLState* state = frame.Window->GetState();
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
-  vtkShadowFramebuffer::Scope scope(
-    frame.Window, buffer.GetFramebuffer(), &buffer.GetTarget(), nullptr, part);
+  vtkShadowFramebuffer::Scope scope(frame.Window, buffer.GetFramebuffer(), &target, nullptr, layer);
   state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglEnable(GL_BLEND);
+  adds ? state->vtkglEnable(GL_BLEND) : state->vtkglDisable(GL_BLEND);
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
   vtkShadowTexture& receivers = buffer.GetReceivers().GetTexture();
   receivers.Activate(frame.Window);
-  this->Sums.Activate(frame.Window);
+  sums.Activate(frame.Window);
   frame.Quad->Draw(frame.Window, source,
     [&](vtkShaderProgram* program)
     {
       program->SetUniformi("shadowReceivers", receivers.GetUnit());
-      program->SetUniformi("shadowSums", this->Sums.GetUnit());
+      program->SetUniformi("shadowSums", sums.GetUnit());
       wedges.SetLight(frame, program);
       setParameters(program);
     });
-  this->Sums.Deactivate(frame.Window);
+  sums.Deactivate(frame.Window);
   receivers.Deactivate(frame.Window);
 }
 
 //------------------------------------------------------------------------------
-void vtkPenumbraWedgeTechnique::CountCentre(
-  vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part, int area)
+void vtkPenumbraWedgeTechnique::CountCentre(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer,
+  int part, int area, const std::vector<int>* some)
 {
   {
     vtkShadowFramebuffer::Scope scope(
@@ -213,7 +228,83 @@ void vtkPenumbraWedgeTechnique::CountCentre(
     glClearBufferfv(GL_COLOR, 0, none);
   }
   this->Volumes.AddCounts(
-    frame, buffer, this->Sums, 0, part, area, this->Parts[part].Areas[area]->GetPlanes());
+    frame, buffer, this->Sums, 0, part, area, this->Parts[part].Areas[area]->GetPlanes(), some);
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::vector<int>> vtkPenumbraWedgeTechnique::GetLoops(
+  vtkShadowFrame& frame, int part, int area)
+{
+  const glm::dvec4& place = this->Volumes.GetSilhouettes().GetPlace(part, area);
+  const auto& parts =
+    vtkShadowSilhouetteCache::Get(this->Volumes.GetBatch(frame, part, area), area).Parts;
+  std::vector<std::vector<int>> loops;
+  std::vector<int> rest;
+  bool capped = false;
+  for (int i = 0; i < static_cast<int>(parts.size()); ++i)
+  {
+    const bool same = i > 0 && parts[i].Caster == parts[i - 1].Caster;
+    capped = same ? capped : this->Volumes.HasCaps(frame.Casters->Get()[parts[i].Caster], place);
+    if (capped && same)
+    {
+      loops.back().push_back(i);
+    }
+    else if (capped || loops.size() < MostLoops)
+    {
+      loops.push_back({ i });
+    }
+    else
+    {
+      rest.push_back(i);
+    }
+  }
+  if (!rest.empty())
+  {
+    loops.push_back(rest);
+  }
+  return loops;
+}
+
+//------------------------------------------------------------------------------
+void vtkPenumbraWedgeTechnique::CombineLoops(
+  vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part, int area)
+{
+  vtkPenumbraWedges& wedges = *this->Parts[part].Areas[area];
+  for (auto& texture : this->Loops)
+  {
+    texture.Allocate(
+      frame.Window, vtkShadowTexture::Format::Float2, buffer.GetWidth(), buffer.GetHeight(), 1);
+  }
+  int last = 0; // which holds what is combined
+  const auto loops = this->GetLoops(frame, part, area);
+  frame.Counts["loops"] += static_cast<double>(loops.size());
+  const auto combine = [&](const char* definitions)
+  {
+    this->Loops[last].Activate(frame.Window);
+    this->DrawOver(frame, buffer, this->Loops[1 - last], 0, false, this->Sums, wedges,
+      vtkPenumbraLoopsFS, definitions,
+      [&](vtkShaderProgram* program)
+      { program->SetUniformi("shadowLoops", this->Loops[last].GetUnit()); });
+    this->Loops[last].Deactivate(frame.Window);
+    last = 1 - last;
+  };
+  {
+    vtkShadowFramebuffer::Scope scope(
+      frame.Window, buffer.GetFramebuffer(), &this->Loops[last], nullptr, 0);
+    const float none[] = { 0.0f, 0.0f, 0.0f, 0.0f };
+    glClearBufferfv(GL_COLOR, 0, none);
+  }
+  for (const auto& loop : loops)
+  {
+    this->CountCentre(frame, buffer, part, area, &loop);
+    this->AddWedges(
+      frame, buffer, { &this->Sums }, 0, part, wedges, vtkPenumbraSumFS, "", nullptr, &loop);
+    combine("");
+  }
+  if (last != 0)
+  {
+    combine("#define SHADOW_COPY\n");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -221,10 +312,19 @@ void vtkPenumbraWedgeTechnique::AddArea(
   vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part, int area)
 {
   vtkPenumbraWedges& wedges = *this->Parts[part].Areas[area];
-  this->CountCentre(frame, buffer, part, area);
-  this->AddWedges(frame, buffer, { &this->Sums }, 0, part, wedges, vtkPenumbraSumFS, "", nullptr);
+  const bool loops = this->Overlap == "loops";
+  if (loops)
+  {
+    this->CombineLoops(frame, buffer, part, area);
+  }
+  else
+  {
+    this->CountCentre(frame, buffer, part, area);
+    this->AddWedges(frame, buffer, { &this->Sums }, 0, part, wedges, vtkPenumbraSumFS, "", nullptr);
+  }
   const float share = 1.0f / static_cast<float>(this->Parts[part].Areas.size());
-  this->AddOver(frame, buffer, part, wedges, vtkPenumbraAreaFS, "",
+  this->DrawOver(frame, buffer, buffer.GetTarget(), part, true, loops ? this->Loops[0] : this->Sums,
+    wedges, vtkPenumbraAreaFS, loops ? "#define SHADOW_COMBINED\n" : "",
     [share](vtkShaderProgram* program) { program->SetUniformf("shadowShare", share); });
 }
 
@@ -294,7 +394,8 @@ void vtkPenumbraWedgeTechnique::AddSamples(
     {
       this->Counts[t].Activate(frame.Window);
     }
-    this->AddOver(frame, buffer, part, wedges, vtkPenumbraSamplesFS, definitions, setParameters);
+    this->DrawOver(frame, buffer, buffer.GetTarget(), part, true, this->Sums, wedges,
+      vtkPenumbraSamplesFS, definitions, setParameters);
     for (int t = 0; t < targets; ++t)
     {
       this->Counts[t].Deactivate(frame.Window);
@@ -358,7 +459,8 @@ std::vector<std::pair<std::string, std::size_t>> vtkPenumbraWedgeTechnique::GetB
     }
   }
   bytes.emplace_back("wedges", wedges);
-  std::size_t counts = this->Sums.GetBytes();
+  std::size_t counts =
+    this->Sums.GetBytes() + this->Loops[0].GetBytes() + this->Loops[1].GetBytes();
   for (const auto& target : this->Counts)
   {
     counts += target.GetBytes();
@@ -379,6 +481,8 @@ void vtkPenumbraWedgeTechnique::Release(vtkOpenGLRenderWindow* window)
   }
   this->Parts.clear();
   this->Sums.Release(window);
+  this->Loops[0].Release(window);
+  this->Loops[1].Release(window);
   for (auto& target : this->Counts)
   {
     target.Release(window);

@@ -44,17 +44,24 @@ private:
   void AddWedges(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer,
     const std::vector<const vtkShadowTexture*>& targets, int layer, int part,
     vtkPenumbraWedges& wedges, const char* shader, const std::string& definitions,
-    const std::function<void(vtkShaderProgram*)>& setParameters);
+    const std::function<void(vtkShaderProgram*)>& setParameters,
+    const std::vector<int>* some = nullptr);
   /** Count how often the centre of an area is hidden, in the sums' first channel. */
-  void CountCentre(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part, int area);
+  void CountCentre(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part, int area,
+    const std::vector<int>* some = nullptr);
+  /** Combine what the loops of an area's silhouettes hide, each for itself, into Loops[0]. */
+  void CombineLoops(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part, int area);
+  /** Parts of an area's silhouettes that are summed up: each loop, or what has caps together. */
+  std::vector<std::vector<int>> GetLoops(vtkShadowFrame& frame, int part, int area);
   /** Take away what is hidden of an area: by the sum of its edges, or by counts of its samples. */
   void AddArea(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part, int area);
   /** What a debug view shows of an area. */
   void AddQuantity(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part, int area);
   void AddSamples(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part);
-  /** Add up what a shader draws over a layer of the buffer's target. */
-  void AddOver(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part,
-    const vtkPenumbraWedges& wedges, const char* shader, const std::string& definitions,
+  /** Draw a shader over a layer of a target, of what sums hold; added up, or in its place. */
+  void DrawOver(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, const vtkShadowTexture& target,
+    int layer, bool adds, vtkShadowTexture& sums, const vtkPenumbraWedges& wedges,
+    const char* shader, const std::string& definitions,
     const std::function<void(vtkShaderProgram*)>& setParameters);
   bool CountsSamples(int part) const { return this->Parts[part].Samples.Count > 0; }
 
@@ -63,6 +70,7 @@ private:
   std::string Bounds;
   std::string Overlap;
   int Samples = 0;
+  vtkShadowTexture Loops[2];                                            // combined, by turns
   vtkShadowTexture Sums;                                                // of one area
   std::array<vtkShadowTexture, vtkPenumbraSamples::MostTargets> Counts; // of samples
   double Most = 0.0; // of a quantity, when it was last shown

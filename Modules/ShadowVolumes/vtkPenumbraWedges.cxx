@@ -350,14 +350,15 @@ void vtkPenumbraWedges::SetLight(const vtkShadowFrame& frame, vtkShaderProgram* 
 void vtkPenumbraWedges::Draw(vtkShadowFrame& frame, const vtkShadowVolumes& volumes,
   const glm::dmat4& SWCToDraw, float farthest, const glm::vec2& retreat,
   const vtkShadowPrograms::Sources& sources,
-  const std::function<void(vtkShaderProgram*)>& setParameters)
+  const std::function<void(vtkShaderProgram*)>& setParameters, const std::vector<int>* some)
 {
   const auto extremes = this->GetExtremes();
   glm::mat4 SWCToClip(SWCToDraw);
   glm::mat4 SWCToVC(frame.GetSWCToVC());
   std::vector<std::pair<std::size_t, std::size_t>> runs; // of corners, one after another
-  for (const auto& part : this->Parts)
+  for (std::size_t k = 0; k < (some ? some->size() : this->Parts.size()); ++k)
   {
+    const Part& part = this->Parts[some ? static_cast<std::size_t>((*some)[k]) : k];
     const vtkShadowCaster& caster = frame.Casters->Get()[part.Caster];
     if (part.Count == 0)
     {

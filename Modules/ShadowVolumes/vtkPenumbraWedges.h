@@ -48,10 +48,14 @@ public:
   void MakeOfEdges(vtkShadowFrame& frame, const vtkShadowAdjacencies& adjacencies,
     const std::vector<int>& casters, vtkShadowWedge::Bounds bounds);
 
-  /** Draw those that may be seen, for vtkShadowVolumes::AddBehind; counts in the frame. */
+  /**
+   * Draw those that may be seen, for vtkShadowVolumes::AddBehind; counts in the frame. Of some parts of the
+   * silhouette alone, if these are named.
+   */
   void Draw(vtkShadowFrame& frame, const vtkShadowVolumes& volumes, const glm::dmat4& SWCToDraw,
     float farthest, const glm::vec2& retreat, const vtkShadowPrograms::Sources& sources,
-    const std::function<void(vtkShaderProgram*)>& setParameters);
+    const std::function<void(vtkShaderProgram*)>& setParameters,
+    const std::vector<int>* some = nullptr);
   /** Set what vtkPenumbraLightFS.glsl needs; and what it is to begin with. */
   void SetLight(const vtkShadowFrame& frame, vtkShaderProgram* program) const;
   std::string GetLightGLSL() const;

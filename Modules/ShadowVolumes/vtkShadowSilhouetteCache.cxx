@@ -112,7 +112,8 @@ void vtkShadowSilhouetteCache::Find(
     std::min<std::size_t>(vtkShadowSilhouettes::MostPlaces, state.Places.size() - first);
   const auto start = std::chrono::steady_clock::now();
   result.Silhouettes.Find(*frame.Casters, this->Adjacencies, state.Casters,
-    state.Places.data() + first, static_cast<int>(count), this->Wanted.EnoughNested);
+    state.Places.data() + first, static_cast<int>(count), this->Wanted.EnoughNested,
+    this->Wanted.Loops);
   const auto& lines = result.Silhouettes.GetLines();
   frame.Counts["silhouetteMilliseconds"] +=
     std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();

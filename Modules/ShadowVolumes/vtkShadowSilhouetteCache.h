@@ -42,6 +42,8 @@ public:
     int Samples = 1;
     /** They are the middles of equal squares of the light, a square number of them; a textured one is whole. */
     bool Split = false;
+    /** A caster has a part for each loop of its silhouette. */
+    bool Loops = false;
     /** Lines stay on the CPU too, those of all places. */
     bool KeepLines = false;
     /** A bound on nested volumes need not be lower. */
@@ -52,8 +54,8 @@ public:
     bool operator==(const Options& other) const
     {
       return this->Samples == other.Samples && this->Split == other.Split &&
-             this->KeepLines == other.KeepLines && this->EnoughNested == other.EnoughNested &&
-             this->MemoryLimit == other.MemoryLimit;
+             this->Loops == other.Loops && this->KeepLines == other.KeepLines &&
+             this->EnoughNested == other.EnoughNested && this->MemoryLimit == other.MemoryLimit;
     }
   };
   /** Bring silhouettes up to date. What was done is counted in the frame. */

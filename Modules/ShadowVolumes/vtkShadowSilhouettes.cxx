@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <unordered_map>
 
 namespace
 {
@@ -134,6 +136,54 @@ void FindLines(const vtkShadowAdjacency& adjacency, const std::vector<LocalPlace
 }
 
 //------------------------------------------------------------------------------
+namespace
+{
+/** Sort the lines of the last part by loops, the longest first, and make it one part for each. */
+void SplitLoops(std::vector<std::uint32_t>& lines, std::vector<vtkShadowCasterPart>& parts)
+{
+  const vtkShadowCasterPart whole = parts.back();
+  std::unordered_map<std::uint32_t, std::uint32_t> parents; // of vertices that meet
+  const auto find = [&parents](std::uint32_t vertex)
+  {
+    auto parent = parents.emplace(vertex, vertex).first->second;
+    while (parent != vertex)
+    {
+      vertex = parent;
+      parent = parents[vertex];
+    }
+    return vertex;
+  };
+  for (std::size_t i = whole.First; i < whole.First + whole.Count; i += 2)
+  {
+    const std::uint32_t from = find(lines[i]);
+    parents[from] = find(lines[i + 1]);
+  }
+  std::map<std::uint32_t, std::vector<std::uint32_t>> loops;
+  for (std::size_t i = whole.First; i < whole.First + whole.Count; i += 2)
+  {
+    auto& loop = loops[find(lines[i])];
+    loop.push_back(lines[i]);
+    loop.push_back(lines[i + 1]);
+  }
+  std::vector<const std::vector<std::uint32_t>*> order;
+  for (const auto& loop : loops)
+  {
+    order.push_back(&loop.second);
+  }
+  std::stable_sort(
+    order.begin(), order.end(), [](const auto* a, const auto* b) { return a->size() > b->size(); });
+  parts.pop_back();
+  std::size_t at = whole.First;
+  for (const auto* loop : order)
+  {
+    parts.push_back({ whole.Caster, at, loop->size() });
+    std::copy(loop->begin(), loop->end(), lines.begin() + static_cast<std::ptrdiff_t>(at));
+    at += loop->size();
+  }
+}
+}
+
+//------------------------------------------------------------------------------
 vtkShadowFacePlanes::vtkShadowFacePlanes(
   const vtkShadowCaster& caster, const vtkShadowAdjacency& adjacency)
   : Adjacency(adjacency)
@@ -159,7 +209,7 @@ glm::dvec4 vtkShadowFacePlanes::Get(std::uint32_t face) const
 //------------------------------------------------------------------------------
 void vtkShadowSilhouettes::Find(const vtkShadowCasters& casters,
   const vtkShadowAdjacencies& adjacencies, const std::vector<int>& which, const glm::dvec4* places,
-  int numberOfPlaces, std::size_t enoughNested)
+  int numberOfPlaces, std::size_t enoughNested, bool loops)
 {
   this->Silhouettes.assign(numberOfPlaces, {});
   std::vector<std::vector<std::uint32_t>> lines(numberOfPlaces);
@@ -177,8 +227,12 @@ void vtkShadowSilhouettes::Find(const vtkShadowCasters& casters,
                         : FindLines<std::uint64_t>(adjacency, local, lines);
     for (int k = 0; k < numberOfPlaces; ++k)
     {
-      auto& part = this->Silhouettes[k].Parts.back();
-      part.Count = lines[k].size() - part.First;
+      auto& parts = this->Silhouettes[k].Parts;
+      parts.back().Count = lines[k].size() - parts.back().First;
+      if (loops && parts.back().Count > 0)
+      {
+        SplitLoops(lines[k], parts);
+      }
     }
   }
   this->Lines.clear();

@@ -74,11 +74,11 @@ public:
   /**
    * Find the silhouettes of casters (indices into Get(), with adjacencies) from up to 64 places:
    * positions in SWC (w 1) or directions towards the light (w 0). A bound on nested volumes need not be
-   * lower than what is enough.
+   * lower than what is enough. By loops, a caster has a part for each loop of its lines: lines that meet.
    */
   void Find(const vtkShadowCasters& casters, const vtkShadowAdjacencies& adjacencies,
     const std::vector<int>& which, const glm::dvec4* places, int numberOfPlaces,
-    std::size_t enoughNested = 255);
+    std::size_t enoughNested = 255, bool loops = false);
 
   /** One for each place. */
   const std::vector<vtkShadowSilhouette>& Get() const { return this->Silhouettes; }

@@ -168,7 +168,16 @@ std::vector<glm::dvec4> vtkShadowVolumes::GetShadingPlanes(const glm::dvec4& pla
 }
 
 //------------------------------------------------------------------------------
-vtkShadowVolumes::Selection vtkShadowVolumes::Select(vtkShadowFrame& frame, int light, int sample)
+bool vtkShadowVolumes::HasCaps(const vtkShadowCaster& caster, const glm::dvec4& place) const
+{
+  return this->Method == Counting::ZFail ||
+         (this->Method == Counting::Auto &&
+           (this->IsLookedInto(caster) || MayReachInto(this->GetShadingPlanes(place), caster)));
+}
+
+//------------------------------------------------------------------------------
+vtkShadowVolumes::Selection vtkShadowVolumes::Select(
+  vtkShadowFrame& frame, int light, int sample, const std::vector<int>* some)
 {
   const glm::dvec4& place = this->Silhouettes.GetPlace(light, sample);
   Selection selection;
@@ -177,7 +186,16 @@ vtkShadowVolumes::Selection vtkShadowVolumes::Select(vtkShadowFrame& frame, int 
   const auto shading = this->GetShadingPlanes(place);
   std::vector<CappedCaster> capped;
   std::size_t mostNested = silhouette.MostNested;
-  for (const auto& part : silhouette.Parts)
+  std::vector<vtkShadowCasterPart> parts = silhouette.Parts;
+  if (some)
+  {
+    parts.clear();
+    for (const int i : *some)
+    {
+      parts.push_back(silhouette.Parts[i]);
+    }
+  }
+  for (const auto& part : parts)
   {
     const vtkShadowCaster& caster = frame.Casters->Get()[part.Caster];
     if (this->IsOutOfView(caster, { place }))
@@ -200,7 +218,10 @@ vtkShadowVolumes::Selection vtkShadowVolumes::Select(vtkShadowFrame& frame, int 
         selection.ZFail.push_back(part);
         mostNested = 2 * silhouette.MostNested;
       }
-      capped.emplace_back(part.Caster, cap);
+      if (capped.empty() || capped.back().first != part.Caster) // not for each of its loops
+      {
+        capped.emplace_back(part.Caster, cap);
+      }
     }
     else
     {

@@ -81,10 +81,13 @@ public:
   /**
    * Add how many volumes of a place hold the receiver to the first channel of a layer of a target. Of
    * sides, planes (a texel a line of the batch, in SWC) and the receiver's position tell it; of caps,
-   * depths.
+   * depths. Of some parts of the silhouette alone, if these are named; of a caster with caps all or none.
    */
   void AddCounts(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, const vtkShadowTexture& target,
-    int layer, int part, int sample, vtkShadowTexture& planes);
+    int layer, int part, int sample, vtkShadowTexture& planes,
+    const std::vector<int>* some = nullptr);
+  /** Whether a caster's volume is counted with caps. */
+  bool HasCaps(const vtkShadowCaster& caster, const glm::dvec4& place) const;
   /**
    * Add up what is drawn, where the back faces of something lie behind the receivers, in a layer of
    * targets. What draws gets the matrix to draw with, the clip coordinate of what is farthest, and what to
@@ -118,7 +121,8 @@ private:
   };
 
   void SetView(const vtkShadowFrame& frame);
-  Selection Select(vtkShadowFrame& frame, int part, int sample);
+  Selection Select(
+    vtkShadowFrame& frame, int part, int sample, const std::vector<int>* some = nullptr);
   /** Planes around what can shadow the near rectangle: the pyramid over it with the light on top. */
   std::vector<glm::dvec4> GetShadingPlanes(const glm::dvec4& place) const;
   /** The eye may see the inside of a body: through its surface, or where the near plane cuts it. */

@@ -333,10 +333,11 @@ bool vtkShadowVolumes::Subtract(
 
 //------------------------------------------------------------------------------
 void vtkShadowVolumes::AddCounts(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer,
-  const vtkShadowTexture& target, int layer, int part, int sample, vtkShadowTexture& planes)
+  const vtkShadowTexture& target, int layer, int part, int sample, vtkShadowTexture& planes,
+  const std::vector<int>* some)
 {
   const glm::dvec4& place = this->Silhouettes.GetPlace(part, sample);
-  const Selection selection = this->Select(frame, part, sample);
+  const Selection selection = this->Select(frame, part, sample, some);
   if (selection.ZPass.empty() && selection.ZFail.empty())
   {
     return;

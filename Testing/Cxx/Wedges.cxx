@@ -122,6 +122,11 @@ SHADOW_TEST(Wedges, StackedSquares, Once)
   // Where both hide the same part of the light it counts twice: the sum is darker, never lighter.
   const auto sum = See(stage, "wedges", { { "overlap", "sum" } });
   ShadowTest::CheckAtMost(Compare(sum, truth, 0.1, use).Bias, -0.001, "sum: bias");
+  // A guess between both bounds.
+  const auto loops = See(stage, "wedges", { { "overlap", "loops" } });
+  ShadowTest::CheckEqual(stage.Count("loops"), 2.0, "loops of silhouettes");
+  ShadowTest::CheckAtMost(Compare(loops, truth, 0.1, use).RMSE,
+    0.8 * Compare(sum, truth, 0.1, use).RMSE, "loops: RMSE, against that of the sum");
   for (std::size_t k = 0; k < use.size(); ++k)
   {
     if (use[k] && sum.V[k] > truth.V[k] + 0.005f)
@@ -139,7 +144,7 @@ SHADOW_TEST(Wedges, BoundsChangeNothing, Once)
   for (const LightKind kind :
     { LightKind::Sphere, LightKind::Disk, LightKind::Rectangle, LightKind::Directional })
   {
-    for (const char* overlap : { "sum", "count" })
+    for (const char* overlap : { "sum", "loops", "count" })
     {
       ShadowStage stage;
       stage.AddThings();
@@ -159,7 +164,7 @@ SHADOW_TEST(Wedges, ZeroSizeIsVolumeHard, Once)
 {
   for (const LightKind kind : { LightKind::Sphere, LightKind::Rectangle, LightKind::Directional })
   {
-    for (const char* overlap : { "sum", "count" })
+    for (const char* overlap : { "sum", "loops", "count" })
     {
       ShadowStage stage;
       stage.AddThings();
@@ -225,6 +230,9 @@ SHADOW_TEST(Wedges, NoStreaks, Once)
           const auto sum = See(stage, "wedges", { { "overlap", "sum" } });
           ShadowTest::CheckAtMost(
             Compare(sum, truth, 0.5, use).Share, 0.0033, what + ", sum: pixels other than rays");
+          const auto loops = See(stage, "wedges", { { "overlap", "loops" }, { "split", "2" } });
+          ShadowTest::CheckAtMost(Compare(loops, truth, 0.5, use).Share, 0.0033,
+            what + ", loops: pixels other than rays");
         }
       }
     }

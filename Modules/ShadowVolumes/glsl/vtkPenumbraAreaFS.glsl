@@ -26,6 +26,10 @@ void main()
     above = shadowAboveHorizon(
       shadowHorizon(area, shadowUnpackReceiver(receiverVC.w).normalVC));
   }
+#ifdef SHADOW_COMBINED
+  vec3 seen = clamp(vec3(above - sums.x + sums.y), 0.0, 1.0);
+#else
   vec3 seen = clamp(above * (1.0 - sums.x) + sums.yyy, 0.0, 1.0);
+#endif
   gl_FragData[0] = vec4(shadowShare * (seen - 1.0), 0.0);
 }
