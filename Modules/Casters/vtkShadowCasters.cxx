@@ -269,6 +269,43 @@ std::vector<vtkLightSample> vtkShadowCasters::GetPlaces(
 }
 
 //------------------------------------------------------------------------------
+std::vector<vtkLightSample> vtkShadowCasters::GetMiddles(
+  const vtkShadowLight& light, int count, const std::vector<int>& casters) const
+{
+  const int side = light.IsPoint() ? 1 : static_cast<int>(std::lround(std::sqrt(count)));
+  if (side == 1)
+  {
+    return this->GetPlaces(light, 1, casters);
+  }
+  const glm::dvec3 receiver = this->GetMiddle(casters) + this->Origin;
+  std::vector<vtkLightSample> samples;
+  for (int i = 0; i < side * side; ++i)
+  {
+    const glm::dvec2 unit((i % side + 0.5) / side, (i / side + 0.5) / side);
+    samples.push_back({ light.Map(unit, receiver), glm::dvec3(1.0 / (side * side)) });
+  }
+  if (light.Kind != vtkShadowLight::Shape::Rectangle)
+  {
+    // Small disks do not cover a large one. Moved outwards, they are as wide as it together: their mean
+    // square distance from the centre is its own, half of the radius' square.
+    const glm::dvec3 centre = this->GetPlaces(light, 1, casters)[0].Point;
+    const double radius = glm::length(light.U);
+    double square = 0.0;
+    for (const auto& sample : samples)
+    {
+      const double distance = glm::length(sample.Point - centre) / radius;
+      square += distance * distance / (side * side);
+    }
+    const double factor = std::sqrt(0.5 * (1.0 - 1.0 / (side * side)) / square);
+    for (auto& sample : samples)
+    {
+      sample.Point = centre + factor * (sample.Point - centre);
+    }
+  }
+  return samples;
+}
+
+//------------------------------------------------------------------------------
 std::size_t vtkShadowCasters::GetNumberOfVertices() const
 {
   return Sum(this->Casters, [](const vtkShadowMesh& m) { return m.GetNumberOfVertices(); });

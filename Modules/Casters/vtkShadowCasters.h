@@ -99,6 +99,12 @@ public:
    */
   std::vector<vtkLightSample> GetPlaces(
     const vtkShadowLight& light, int count, const std::vector<int>& casters) const;
+  /**
+   * The middles of count, a square number, equal squares of a light, likewise; of one its centre. Each
+   * stands for as much of the light's area.
+   */
+  std::vector<vtkLightSample> GetMiddles(
+    const vtkShadowLight& light, int count, const std::vector<int>& casters) const;
   /** Diagonal of the box around all casters, in world units. */
   double GetSize() const { return this->Size; }
   /** Rises with every change of what casts. */

@@ -421,6 +421,10 @@ void vtkShadowCasterDrawing::DrawParts(vtkOpenGLRenderWindow* window, const glm:
   {
     const vtkShadowCaster& caster = this->Casters.Get()[part.Caster];
     this->SetCaster(program->Shaders, SWCToClip * caster.MeshToSWC, caster, how);
+    if (how.SetPartParameters)
+    {
+      how.SetPartParameters(program->Shaders, part);
+    }
     glDrawElementsBaseVertex(primitive, static_cast<GLsizei>(part.Count), GL_UNSIGNED_INT,
       reinterpret_cast<const void*>(part.First * sizeof(std::uint32_t)),
       this->GPU->PlaceOf[part.Caster].FirstVertex);

@@ -30,6 +30,8 @@ class vtkOpenGLBufferObject;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 
+struct vtkShadowCasterPart;
+
 /** How casters are drawn: by default their depth alone. */
 struct vtkShadowCasterDraw
 {
@@ -49,6 +51,8 @@ struct vtkShadowCasterDraw
   /** Set uniforms, once; and for each caster, before its draw calls. */
   std::function<void(vtkShaderProgram*)> SetParameters;
   std::function<void(vtkShaderProgram*, const vtkShadowCaster&)> SetCasterParameters;
+  /** And for each part, of DrawParts. */
+  std::function<void(vtkShaderProgram*, const vtkShadowCasterPart&)> SetPartParameters;
 };
 
 /** Elements of another index buffer that stand for a part of a caster: numbers of its mesh's vertices. */

@@ -10,11 +10,10 @@
 #include <utility>
 
 //------------------------------------------------------------------------------
-void vtkShadowSilhouetteCache::Update(vtkShadowFrame& frame, int samples, std::size_t memoryLimit)
+void vtkShadowSilhouetteCache::Update(vtkShadowFrame& frame, const Options& options)
 {
-  this->Changes.Update(frame, samples != this->Samples || memoryLimit != this->MemoryLimit);
-  this->Samples = samples;
-  this->MemoryLimit = memoryLimit;
+  this->Changes.Update(frame, !(options == this->Wanted));
+  this->Wanted = options;
   for (const char* name : { "adjacenciesBuilt", "silhouettesFound", "silhouettesReused" })
   {
     frame.Counts[name] = 0;
@@ -70,13 +69,16 @@ void vtkShadowSilhouetteCache::UpdatePart(
   const vtkShadowLight& light = frame.Parts[index].Light;
   bytes -= ReleaseBatches(state);
   this->UnkeptLight = -1;
-  ++this->Version;
+  state.Version = ++this->Version;
   state.Casters = std::move(casters);
   state.Samples.clear();
   state.Places.clear();
   if (!state.Casters.empty())
   {
-    state.Samples = frame.Casters->GetPlaces(light, this->Samples, state.Casters);
+    state.Samples =
+      this->Wanted.Split
+        ? frame.Casters->GetMiddles(light, light.Emission ? 1 : this->Wanted.Samples, state.Casters)
+        : frame.Casters->GetPlaces(light, this->Wanted.Samples, state.Casters);
   }
   for (const auto& sample : state.Samples)
   {
@@ -87,12 +89,12 @@ void vtkShadowSilhouetteCache::UpdatePart(
   frame.Counts["adjacenciesBuilt"] += this->Adjacencies.Add(*frame.Casters, state.Casters);
   constexpr int most = vtkShadowSilhouettes::MostPlaces;
   const int batches = (static_cast<int>(state.Samples.size()) + most - 1) / most;
-  for (int k = 0; k < batches && bytes < this->MemoryLimit; ++k)
+  for (int k = 0; k < batches && bytes < this->Wanted.MemoryLimit; ++k)
   {
     auto batch = std::make_unique<Batch>();
     this->Find(frame, state, k, *batch);
     bytes += batch->Bytes;
-    if (bytes > this->MemoryLimit)
+    if (bytes > this->Wanted.MemoryLimit)
     {
       batch->Lines->ReleaseGraphicsResources();
       break;
@@ -110,7 +112,8 @@ void vtkShadowSilhouetteCache::Find(
     std::min<std::size_t>(vtkShadowSilhouettes::MostPlaces, state.Places.size() - first);
   const auto start = std::chrono::steady_clock::now();
   result.Silhouettes.Find(*frame.Casters, this->Adjacencies, state.Casters,
-    state.Places.data() + first, static_cast<int>(count));
+    state.Places.data() + first, static_cast<int>(count), this->Wanted.EnoughNested,
+    this->Wanted.Loops);
   const auto& lines = result.Silhouettes.GetLines();
   frame.Counts["silhouetteMilliseconds"] +=
     std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -118,7 +121,10 @@ void vtkShadowSilhouetteCache::Find(
   result.Bytes = lines.size() * sizeof(std::uint32_t);
   glBindVertexArray(0); // or the buffer would become that array's
   result.Lines->Upload(lines, vtkOpenGLBufferObject::ElementArrayBuffer);
-  result.Silhouettes.ReleaseLines();
+  if (!this->Wanted.KeepLines)
+  {
+    result.Silhouettes.ReleaseLines();
+  }
   frame.Counts["silhouettesFound"] += static_cast<double>(count);
 }
 

@@ -36,11 +36,30 @@ public:
     std::size_t Bytes = 0;
   };
 
-  /**
-   * Bring silhouettes up to date, from so many samples of each light that has a size, within a limit of
-   * bytes for all lines. What was done is counted in the frame.
-   */
-  void Update(vtkShadowFrame& frame, int samples, std::size_t memoryLimit);
+  struct Options
+  {
+    /** Places on each light that has a size; 1 is its centre. */
+    int Samples = 1;
+    /** They are the middles of equal squares of the light, a square number of them; a textured one is whole. */
+    bool Split = false;
+    /** A caster has a part for each loop of its silhouette. */
+    bool Loops = false;
+    /** Lines stay on the CPU too, those of all places. */
+    bool KeepLines = false;
+    /** A bound on nested volumes need not be lower. */
+    std::size_t EnoughNested = 255;
+    /** Bytes for all lines. */
+    std::size_t MemoryLimit = std::size_t(1) << 32;
+
+    bool operator==(const Options& other) const
+    {
+      return this->Samples == other.Samples && this->Split == other.Split &&
+             this->Loops == other.Loops && this->KeepLines == other.KeepLines &&
+             this->EnoughNested == other.EnoughNested && this->MemoryLimit == other.MemoryLimit;
+    }
+  };
+  /** Bring silhouettes up to date. What was done is counted in the frame. */
+  void Update(vtkShadowFrame& frame, const Options& options);
   /** Rises whenever silhouettes were found anew for some light. */
   unsigned long GetVersion() const { return this->Version; }
 
@@ -54,6 +73,10 @@ public:
     return this->Parts[part].Places[sample];
   }
   ///@}
+  /** Casters that count for a part of a light: indices of vtkShadowCasters::Get(). */
+  const std::vector<int>& GetCasters(int part) const { return this->Parts[part].Casters; }
+  /** Rises whenever a part's silhouettes were found anew. */
+  unsigned long GetVersion(int part) const { return this->Parts[part].Version; }
   /** What a sample's silhouette lies in; valid until the next call. */
   const Batch& GetBatch(vtkShadowFrame& frame, int part, int sample);
   /** The silhouette of a sample, of its batch. */
@@ -74,14 +97,14 @@ private:
     std::vector<vtkLightSample> Samples;
     std::vector<glm::dvec4> Places;
     std::vector<std::unique_ptr<Batch>> Batches; // those that are kept
+    unsigned long Version = 0;
   };
 
   void UpdatePart(vtkShadowFrame& frame, int part, std::vector<int> casters, std::size_t& bytes);
   void Find(vtkShadowFrame& frame, const PartState& state, int batch, Batch& result);
   static std::size_t ReleaseBatches(PartState& state);
 
-  int Samples = 0;
-  std::size_t MemoryLimit = 0;
+  Options Wanted;
   vtkShadowChanges Changes;
   unsigned long Version = 0;
   vtkShadowAdjacencies Adjacencies;

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <unordered_map>
 
 namespace
 {
@@ -134,9 +136,80 @@ void FindLines(const vtkShadowAdjacency& adjacency, const std::vector<LocalPlace
 }
 
 //------------------------------------------------------------------------------
+namespace
+{
+/** Sort the lines of the last part by loops, the longest first, and make it one part for each. */
+void SplitLoops(std::vector<std::uint32_t>& lines, std::vector<vtkShadowCasterPart>& parts)
+{
+  const vtkShadowCasterPart whole = parts.back();
+  std::unordered_map<std::uint32_t, std::uint32_t> parents; // of vertices that meet
+  const auto find = [&parents](std::uint32_t vertex)
+  {
+    auto parent = parents.emplace(vertex, vertex).first->second;
+    while (parent != vertex)
+    {
+      vertex = parent;
+      parent = parents[vertex];
+    }
+    return vertex;
+  };
+  for (std::size_t i = whole.First; i < whole.First + whole.Count; i += 2)
+  {
+    const std::uint32_t from = find(lines[i]);
+    parents[from] = find(lines[i + 1]);
+  }
+  std::map<std::uint32_t, std::vector<std::uint32_t>> loops;
+  for (std::size_t i = whole.First; i < whole.First + whole.Count; i += 2)
+  {
+    auto& loop = loops[find(lines[i])];
+    loop.push_back(lines[i]);
+    loop.push_back(lines[i + 1]);
+  }
+  std::vector<const std::vector<std::uint32_t>*> order;
+  for (const auto& loop : loops)
+  {
+    order.push_back(&loop.second);
+  }
+  std::stable_sort(
+    order.begin(), order.end(), [](const auto* a, const auto* b) { return a->size() > b->size(); });
+  parts.pop_back();
+  std::size_t at = whole.First;
+  for (const auto* loop : order)
+  {
+    parts.push_back({ whole.Caster, at, loop->size() });
+    std::copy(loop->begin(), loop->end(), lines.begin() + static_cast<std::ptrdiff_t>(at));
+    at += loop->size();
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkShadowFacePlanes::vtkShadowFacePlanes(
+  const vtkShadowCaster& caster, const vtkShadowAdjacency& adjacency)
+  : Adjacency(adjacency)
+{
+  // ToMesh is linear in the place: its columns turn planes.
+  const glm::dvec4 axes[] = { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 }, { 0, 0, 0, 1 } };
+  for (int c = 0; c < 4; ++c)
+  {
+    const LocalPlace local = ToMesh(caster, axes[c]);
+    this->MeshToSWC[c] = local.Light;
+    this->Mirrored = local.Mirrored;
+  }
+}
+
+//------------------------------------------------------------------------------
+glm::dvec4 vtkShadowFacePlanes::Get(std::uint32_t face) const
+{
+  const glm::dvec4 plane = glm::dvec4(this->Adjacency.Planes[face]) * this->MeshToSWC;
+  const double length = glm::length(glm::dvec3(plane));
+  return length > 0.0 ? plane / length : glm::dvec4(0.0, 0.0, 0.0, 1.0);
+}
+
+//------------------------------------------------------------------------------
 void vtkShadowSilhouettes::Find(const vtkShadowCasters& casters,
   const vtkShadowAdjacencies& adjacencies, const std::vector<int>& which, const glm::dvec4* places,
-  int numberOfPlaces)
+  int numberOfPlaces, std::size_t enoughNested, bool loops)
 {
   this->Silhouettes.assign(numberOfPlaces, {});
   std::vector<std::vector<std::uint32_t>> lines(numberOfPlaces);
@@ -154,8 +227,12 @@ void vtkShadowSilhouettes::Find(const vtkShadowCasters& casters,
                         : FindLines<std::uint64_t>(adjacency, local, lines);
     for (int k = 0; k < numberOfPlaces; ++k)
     {
-      auto& part = this->Silhouettes[k].Parts.back();
-      part.Count = lines[k].size() - part.First;
+      auto& parts = this->Silhouettes[k].Parts;
+      parts.back().Count = lines[k].size() - parts.back().First;
+      if (loops && parts.back().Count > 0)
+      {
+        SplitLoops(lines[k], parts);
+      }
     }
   }
   this->Lines.clear();
@@ -168,14 +245,14 @@ void vtkShadowSilhouettes::Find(const vtkShadowCasters& casters,
     }
     this->Lines.insert(this->Lines.end(), lines[k].begin(), lines[k].end());
     this->Silhouettes[k].MostNested =
-      this->FindMostNested(casters, which, places[k], this->Silhouettes[k].Parts);
+      this->FindMostNested(casters, which, places[k], this->Silhouettes[k].Parts, enoughNested);
   }
 }
 
 //------------------------------------------------------------------------------
 std::size_t vtkShadowSilhouettes::FindMostNested(const vtkShadowCasters& casters,
   const std::vector<int>& which, const glm::dvec4& place,
-  const std::vector<vtkShadowCasterPart>& parts) const
+  const std::vector<vtkShadowCasterPart>& parts, std::size_t enough) const
 {
   std::size_t lines = 0;
   for (const auto& part : parts)
@@ -203,7 +280,7 @@ std::size_t vtkShadowSilhouettes::FindMostNested(const vtkShadowCasters& casters
   {
     return triangles; // every face, at worst
   }
-  if (lines / 2 <= std::numeric_limits<std::uint8_t>::max())
+  if (lines / 2 <= enough)
   {
     return lines / 2; // as good as anything less
   }

@@ -22,6 +22,7 @@
 #include "vtkShadowCasterDrawing.h"            // For vtkShadowCasterPart
 #include "vtkSoftShadowsShadowVolumesModule.h" // For export macro
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
 #include <cstddef>
@@ -48,6 +49,22 @@ struct vtkShadowSilhouette
   std::size_t MostNested = 0;
 };
 
+/** The planes of a caster's faces in SWC, as its adjacency winds them. */
+class VTKSOFTSHADOWSSHADOWVOLUMES_EXPORT vtkShadowFacePlanes
+{
+public:
+  vtkShadowFacePlanes(const vtkShadowCaster& caster, const vtkShadowAdjacency& adjacency);
+  /** Of unit normal, positive before the face. What has no normal is seen from before everywhere. */
+  glm::dvec4 Get(std::uint32_t face) const;
+  /** The caster's matrix turns left into right. */
+  bool IsMirrored() const { return this->Mirrored; }
+
+private:
+  const vtkShadowAdjacency& Adjacency;
+  glm::dmat4 MeshToSWC; // of planes
+  bool Mirrored;
+};
+
 class VTKSOFTSHADOWSSHADOWVOLUMES_EXPORT vtkShadowSilhouettes
 {
 public:
@@ -56,10 +73,12 @@ public:
 
   /**
    * Find the silhouettes of casters (indices into Get(), with adjacencies) from up to 64 places:
-   * positions in SWC (w 1) or directions towards the light (w 0).
+   * positions in SWC (w 1) or directions towards the light (w 0). A bound on nested volumes need not be
+   * lower than what is enough. By loops, a caster has a part for each loop of its lines: lines that meet.
    */
   void Find(const vtkShadowCasters& casters, const vtkShadowAdjacencies& adjacencies,
-    const std::vector<int>& which, const glm::dvec4* places, int numberOfPlaces);
+    const std::vector<int>& which, const glm::dvec4* places, int numberOfPlaces,
+    std::size_t enoughNested = 255, bool loops = false);
 
   /** One for each place. */
   const std::vector<vtkShadowSilhouette>& Get() const { return this->Silhouettes; }
@@ -74,7 +93,8 @@ public:
 
 private:
   std::size_t FindMostNested(const vtkShadowCasters& casters, const std::vector<int>& which,
-    const glm::dvec4& place, const std::vector<vtkShadowCasterPart>& parts) const;
+    const glm::dvec4& place, const std::vector<vtkShadowCasterPart>& parts,
+    std::size_t enough) const;
 
   std::vector<vtkShadowSilhouette> Silhouettes;
   std::vector<std::uint32_t> Lines;

@@ -20,8 +20,8 @@ bool vtkShadowVolumeTechnique::UpdateLightData(vtkShadowFrame& frame)
                                            : Counting::Auto;
   if (this->Settings.Has("samples"))
   {
-    settings.Samples = this->Settings.GetInteger("samples");
-    settings.MemoryLimit = std::size_t(1048576) * this->Settings.GetInteger("memory");
+    settings.Silhouettes.Samples = this->Settings.GetInteger("samples");
+    settings.Silhouettes.MemoryLimit = std::size_t(1048576) * this->Settings.GetInteger("memory");
   }
   this->Volumes.Update(frame, settings);
   if (const std::size_t count = frame.Casters->GetNumberWithHoles())

@@ -73,7 +73,7 @@ void vtkShadowVolumes::Update(vtkShadowFrame& frame, const vtkShadowVolumeSettin
   {
     frame.Counts[name] = 0;
   }
-  this->Silhouettes.Update(frame, settings.Samples, settings.MemoryLimit);
+  this->Silhouettes.Update(frame, settings.Silhouettes);
   if (this->CapVersion != this->Silhouettes.GetVersion())
   {
     this->CapVersion = this->Silhouettes.GetVersion();
@@ -168,7 +168,16 @@ std::vector<glm::dvec4> vtkShadowVolumes::GetShadingPlanes(const glm::dvec4& pla
 }
 
 //------------------------------------------------------------------------------
-vtkShadowVolumes::Selection vtkShadowVolumes::Select(vtkShadowFrame& frame, int light, int sample)
+bool vtkShadowVolumes::HasCaps(const vtkShadowCaster& caster, const glm::dvec4& place) const
+{
+  return this->Method == Counting::ZFail ||
+         (this->Method == Counting::Auto &&
+           (this->IsLookedInto(caster) || MayReachInto(this->GetShadingPlanes(place), caster)));
+}
+
+//------------------------------------------------------------------------------
+vtkShadowVolumes::Selection vtkShadowVolumes::Select(
+  vtkShadowFrame& frame, int light, int sample, const std::vector<int>* some)
 {
   const glm::dvec4& place = this->Silhouettes.GetPlace(light, sample);
   Selection selection;
@@ -177,10 +186,19 @@ vtkShadowVolumes::Selection vtkShadowVolumes::Select(vtkShadowFrame& frame, int 
   const auto shading = this->GetShadingPlanes(place);
   std::vector<CappedCaster> capped;
   std::size_t mostNested = silhouette.MostNested;
-  for (const auto& part : silhouette.Parts)
+  std::vector<vtkShadowCasterPart> parts = silhouette.Parts;
+  if (some)
+  {
+    parts.clear();
+    for (const int i : *some)
+    {
+      parts.push_back(silhouette.Parts[i]);
+    }
+  }
+  for (const auto& part : parts)
   {
     const vtkShadowCaster& caster = frame.Casters->Get()[part.Caster];
-    if (this->IsOutOfView(caster, place))
+    if (this->IsOutOfView(caster, { place }))
     {
       ++frame.Counts["volumesOutOfView"];
     }
@@ -200,7 +218,10 @@ vtkShadowVolumes::Selection vtkShadowVolumes::Select(vtkShadowFrame& frame, int 
         selection.ZFail.push_back(part);
         mostNested = 2 * silhouette.MostNested;
       }
-      capped.emplace_back(part.Caster, cap);
+      if (capped.empty() || capped.back().first != part.Caster) // not for each of its loops
+      {
+        capped.emplace_back(part.Caster, cap);
+      }
     }
     else
     {
@@ -219,19 +240,25 @@ vtkShadowVolumes::Selection vtkShadowVolumes::Select(vtkShadowFrame& frame, int 
 }
 
 //------------------------------------------------------------------------------
-bool vtkShadowVolumes::IsOutOfView(const vtkShadowCaster& caster, const glm::dvec4& place) const
+bool vtkShadowVolumes::IsOutOfView(
+  const vtkShadowCaster& caster, const std::vector<glm::dvec4>& places) const
 {
   return std::any_of(this->FrustumPlanes.begin(), this->FrustumPlanes.end(),
     [&](const glm::dvec4& plane)
     {
       // All of the caster is outside, and the light not further out: then so is all that is behind.
-      const double light = place.w == 0.0 ? glm::dot(glm::dvec3(plane), glm::dvec3(place)) : 0.0;
+      double outermost = std::numeric_limits<double>::max();
+      bool directional = false;
+      for (const auto& place : places)
+      {
+        directional = place.w == 0.0;
+        outermost = std::min(outermost, glm::dot(plane, place));
+      }
       return std::all_of(caster.Corners.begin(), caster.Corners.end(),
         [&](const glm::dvec3& corner)
         {
           const double side = Side(plane, corner);
-          return side < 0.0 &&
-                 (place.w == 0.0 ? light >= 0.0 : side <= Side(plane, glm::dvec3(place)));
+          return side < 0.0 && (directional ? outermost >= 0.0 : side <= outermost);
         });
     });
 }

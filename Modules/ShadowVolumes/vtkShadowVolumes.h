@@ -48,8 +48,7 @@ struct vtkShadowVolumeSettings
     Xor    // parity, as z-pass: also wrong where volumes overlap
   };
   Counting Method = Counting::Auto;
-  int Samples = 1;                                // of each light that has a size
-  std::size_t MemoryLimit = std::size_t(1) << 32; // bytes for all lines
+  vtkShadowSilhouetteCache::Options Silhouettes;
 };
 
 class VTKSOFTSHADOWSSHADOWVOLUMES_EXPORT vtkShadowVolumes
@@ -64,6 +63,13 @@ public:
     return this->Silhouettes.GetSamples(part);
   }
 
+  const vtkShadowSilhouetteCache& GetSilhouettes() const { return this->Silhouettes; }
+  /** Likewise, of a place's batch; valid until the next call of anything here. */
+  const vtkShadowSilhouetteCache::Batch& GetBatch(vtkShadowFrame& frame, int part, int sample)
+  {
+    return this->Silhouettes.GetBatch(frame, part, sample);
+  }
+
   /** Make the depth that volumes are counted over; before Subtract. False when out of memory. */
   bool UpdateDepth(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer);
   /**
@@ -72,6 +78,27 @@ public:
    * wanted and there was no memory for them: multiples of 256 are then light.
    */
   bool Subtract(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part, int sample);
+  /**
+   * Add how many volumes of a place hold the receiver to the first channel of a layer of a target. Of
+   * sides, planes (a texel a line of the batch, in SWC) and the receiver's position tell it; of caps,
+   * depths. Of some parts of the silhouette alone, if these are named; of a caster with caps all or none.
+   */
+  void AddCounts(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, const vtkShadowTexture& target,
+    int layer, int part, int sample, vtkShadowTexture& planes,
+    const std::vector<int>* some = nullptr);
+  /** Whether a caster's volume is counted with caps. */
+  bool HasCaps(const vtkShadowCaster& caster, const glm::dvec4& place) const;
+  /**
+   * Add up what is drawn, where the back faces of something lie behind the receivers, in a layer of
+   * targets. What draws gets the matrix to draw with, the clip coordinate of what is farthest, and what to
+   * move back by: a share of the depth, and a depth.
+   */
+  void AddBehind(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer,
+    const std::vector<const vtkShadowTexture*>& targets, int layer,
+    const std::function<void(
+      const glm::dmat4& SWCToDraw, float farthest, const glm::vec2& retreat)>& draw);
+  /** Whether all that is behind a caster, from some places on a light, lies outside of the view. */
+  bool IsOutOfView(const vtkShadowCaster& caster, const std::vector<glm::dvec4>& places) const;
   /** Add one where a face of a volume is drawn, in a layer of the buffer's target. */
   void AddFaces(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part, int sample);
   /** Draw a place's volumes over the picture: front faces blue, back faces orange, silhouettes. */
@@ -94,9 +121,8 @@ private:
   };
 
   void SetView(const vtkShadowFrame& frame);
-  Selection Select(vtkShadowFrame& frame, int part, int sample);
-  /** All of a caster's volume lies outside of the view. */
-  bool IsOutOfView(const vtkShadowCaster& caster, const glm::dvec4& place) const;
+  Selection Select(
+    vtkShadowFrame& frame, int part, int sample, const std::vector<int>* some = nullptr);
   /** Planes around what can shadow the near rectangle: the pyramid over it with the light on top. */
   std::vector<glm::dvec4> GetShadingPlanes(const glm::dvec4& place) const;
   /** The eye may see the inside of a body: through its surface, or where the near plane cuts it. */
@@ -114,10 +140,15 @@ private:
     const std::function<void(vtkShaderProgram*)>& setParameters);
   void DrawCaps(vtkShadowFrame& frame, const glm::dvec4& place, const char* shader,
     const std::function<void(vtkShaderProgram*)>& setParameters);
-  /** By z-pass, then by z-fail; setCounter(by z-pass?) prepares, and gives what sets uniforms. */
+  using Sides = std::function<void(const std::vector<vtkShadowCasterPart>& parts,
+    const std::function<void(vtkShaderProgram*)>& setParameters)>;
+  /**
+   * By z-pass, then by z-fail; setCounter(by z-pass?) prepares, and gives what sets uniforms. With sides
+   * these draw the sides, whatever their depth.
+   */
   template <typename SetCounter>
   void DrawVolumes(vtkShadowFrame& frame, const glm::dvec4& place, const Selection& selection,
-    const char* shader, SetCounter setCounter);
+    const char* shader, SetCounter setCounter, const Sides& sides = nullptr);
 
   vtkShadowVolumeSettings::Counting Method = vtkShadowVolumeSettings::Counting::Auto;
   vtkShadowSilhouetteCache Silhouettes;

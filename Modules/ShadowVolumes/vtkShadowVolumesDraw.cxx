@@ -3,6 +3,9 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkPenumbraLightFS.h"
+#include "vtkPenumbraSidesFS.h"
+#include "vtkPenumbraSidesGS.h"
 #include "vtkShaderProgram.h"
 #include "vtkShadowCasterDrawing.h"
 #include "vtkShadowFrame.h"
@@ -181,9 +184,17 @@ void vtkShadowVolumes::SetFrontFace(bool reversed) const
 //------------------------------------------------------------------------------
 template <typename SetCounter>
 void vtkShadowVolumes::DrawVolumes(vtkShadowFrame& frame, const glm::dvec4& place,
-  const Selection& selection, const char* shader, SetCounter setCounter)
+  const Selection& selection, const char* shader, SetCounter setCounter, const Sides& sides)
 {
   vtkOpenGLState* state = frame.Window->GetState();
+  const auto drawSides = [&](const std::vector<vtkShadowCasterPart>& parts, GLenum depth,
+                           const std::function<void(vtkShaderProgram*)>& setParameters)
+  {
+    state->vtkglDepthFunc(sides ? GL_ALWAYS : depth);
+    sides ? sides(parts, setParameters)
+          : this->DrawSides(frame, place, selection, parts, true, shader, setParameters);
+    state->vtkglDepthFunc(depth);
+  };
   this->SetFrontFace(false);
   if (this->ClipControl)
   {
@@ -192,16 +203,14 @@ void vtkShadowVolumes::DrawVolumes(vtkShadowFrame& frame, const glm::dvec4& plac
   if (!selection.ZPass.empty())
   {
     // In front of the surface: +1 where a volume is entered, -1 where it is left.
-    state->vtkglDepthFunc(GL_GREATER);
-    this->DrawSides(frame, place, selection, selection.ZPass, true, shader, setCounter(true));
+    drawSides(selection.ZPass, GL_GREATER, setCounter(true));
   }
   if (!selection.ZFail.empty())
   {
     // Behind it the other way round, clamped so that no end of the depth range cuts a volume open.
-    state->vtkglDepthFunc(GL_LEQUAL);
     glEnable(GL_DEPTH_CLAMP);
     const auto setParameters = setCounter(false);
-    this->DrawSides(frame, place, selection, selection.ZFail, true, shader, setParameters);
+    drawSides(selection.ZFail, GL_LEQUAL, setParameters);
     this->DrawCaps(frame, place, shader, setParameters);
     glDisable(GL_DEPTH_CLAMP);
   }
@@ -320,6 +329,97 @@ bool vtkShadowVolumes::Subtract(
   this->Counts.Deactivate(frame.Window);
   state->vtkglStencilFunc(GL_ALWAYS, 0, 0xFF);
   return wide == selection.Wide;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowVolumes::AddCounts(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer,
+  const vtkShadowTexture& target, int layer, int part, int sample, vtkShadowTexture& planes,
+  const std::vector<int>* some)
+{
+  const glm::dvec4& place = this->Silhouettes.GetPlace(part, sample);
+  const Selection selection = this->Select(frame, part, sample, some);
+  if (selection.ZPass.empty() && selection.ZFail.empty())
+  {
+    return;
+  }
+  vtkShadowFramebuffer::Scope scope(
+    frame.Window, buffer.GetFramebuffer(), &target, &this->Depth, layer);
+  vtkOpenGLState* state = frame.Window->GetState();
+  CountingState counting(state, true);
+  state->vtkglColorMask(GL_TRUE, GL_FALSE, GL_FALSE, GL_FALSE);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+  vtkShadowTexture& receivers = buffer.GetReceivers().GetTexture();
+  receivers.Activate(frame.Window);
+  planes.Activate(frame.Window);
+  bool passing = true;
+  glm::mat4 VCToSWC(frame.VCToSWC);
+  vtkShadowCasterDraw how;
+  how.GeometryShader = vtkPenumbraSidesGS;
+  how.FragmentShader = vtkPenumbraSidesFS;
+  how.Definitions = frame.GetLightsGLSL("#define SHADOW_WEDGE_SHAPE 3\n") +
+                    vtkShadowReceivers::GetGLSL() + vtkPenumbraLightFS;
+  how.SetParameters = [&](vtkShaderProgram* program)
+  {
+    program->SetUniformi("shadowReceivers", receivers.GetUnit());
+    program->SetUniformi("shadowPlanes", planes.GetUnit());
+    program->SetUniformi("shadowPassing", passing);
+    program->SetUniformMatrix4x4("shadowVCToSWC", glm::value_ptr(VCToSWC));
+  };
+  how.SetCasterParameters = [&](vtkShaderProgram* program, const vtkShadowCaster& caster)
+  { this->SetExtrusion(program, caster, place, this->SWCToDraw); };
+  how.SetPartParameters = [](vtkShaderProgram* program, const vtkShadowCasterPart& linesOfPart)
+  { program->SetUniformi("shadowFirstLine", static_cast<int>(linesOfPart.First / 2)); };
+  this->DrawVolumes(
+    frame, place, selection, vtkShadowVolumeCountFS,
+    [&](bool zPass)
+    {
+      passing = zPass;
+      return [](vtkShaderProgram* program) // of caps
+      {
+        program->SetUniformf("shadowFront", -1.0f);
+        program->SetUniformf("shadowBack", 1.0f);
+      };
+    },
+    [&](
+      const std::vector<vtkShadowCasterPart>& parts, const std::function<void(vtkShaderProgram*)>&)
+    {
+      frame.Drawing->DrawParts(
+        frame.Window, this->SWCToDraw, GL_LINES, selection.Lines->Lines, parts, how);
+    });
+  planes.Deactivate(frame.Window);
+  receivers.Deactivate(frame.Window);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowVolumes::AddBehind(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer,
+  const std::vector<const vtkShadowTexture*>& targets, int layer,
+  const std::function<void(const glm::dmat4& SWCToDraw, float farthest, const glm::vec2& retreat)>&
+    draw)
+{
+  vtkShadowFramebuffer::Scope scope(
+    frame.Window, buffer.GetFramebuffer(), targets, &this->Depth, layer);
+  vtkOpenGLState* state = frame.Window->GetState();
+  CountingState adding(state, true);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglEnable(GL_CULL_FACE);
+  state->vtkglCullFace(GL_FRONT);
+  this->SetFrontFace(false);
+  if (this->ClipControl)
+  {
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  }
+  glEnable(GL_DEPTH_CLAMP);
+  draw(this->SWCToDraw, this->ClipControl ? 0.0f : -1.0f, this->GetRetreat());
+  glDisable(GL_DEPTH_CLAMP);
+  if (this->ClipControl)
+  {
+    glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+  }
+  glFrontFace(GL_CCW);
+  state->vtkglCullFace(GL_BACK);
 }
 
 //------------------------------------------------------------------------------

@@ -431,7 +431,7 @@ const std::vector<Source>& GetSources()
 
 bool IsVolume(const std::string& technique)
 {
-  return technique.rfind("volume", 0) == 0;
+  return technique.rfind("volume", 0) == 0 || technique == "wedges";
 }
 
 /** What a technique makes of a source; volumes may fill holes within triangles. */

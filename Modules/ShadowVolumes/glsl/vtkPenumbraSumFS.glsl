@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//VTK::System::Dec
+#extension GL_ARB_shader_bit_encoding : require
+#extension GL_ARB_gpu_shader5 : enable
+
+// The share of the light that an edge lets through or hides, beyond what the light's centre tells.
+
+//VTK::Output::Dec
+
+flat in vec3 shadowFromVC;
+flat in vec3 shadowToVC;
+flat in vec4 shadowPlaneSWC;
+flat in float shadowTimes;
+
+uniform sampler2DArray shadowReceivers;
+uniform int shadowLight;
+
+void main()
+{
+  vec4 receiverVC = texelFetch(shadowReceivers, ivec3(gl_FragCoord.xy, 0), 0);
+  shadowSelf = receiverVC.w > 0.0;
+  vec3 normalVC = shadowUnpackReceiver(receiverVC.w).normalVC;
+  if (!shadowIsReceiver(receiverVC) || shadowFacesAway(shadowLight, receiverVC.xyz, normalVC))
+  {
+    discard;
+  }
+  shadowAreaSeen area = shadowSeeArea(receiverVC.xyz);
+  vec3 horizon = shadowHorizon(area, normalVC);
+  float cover = shadowTimes * shadowCover((shadowFromVC - receiverVC.xyz) * area.rows,
+    (shadowToVC - receiverVC.xyz) * area.rows, shadowSelf && shadowIsCut(horizon), horizon);
+#ifdef SHADOW_QUANTITY
+  // Wedges over a pixel. The edge is asked all the same: its attributes are bound.
+  gl_FragData[0] = vec4(cover > (shadowIsBehind(shadowPlaneSWC, receiverVC) ? -1e30 : -2e30) ? 1.0 : 0.0);
+#else
+  if (cover == 0.0)
+  {
+    discard;
+  }
+  bool behind = shadowIsBehind(shadowPlaneSWC, receiverVC);
+#ifdef SHADOW_WEDGE_HALF
+  gl_FragData[0] = vec4(behind == (SHADOW_WEDGE_HALF == 1) ? cover : 0.0);
+#else
+  gl_FragData[0] = vec4(0.0, vec3(behind ? cover : -cover));
+#endif
+#endif
+}

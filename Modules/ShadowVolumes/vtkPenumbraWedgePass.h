@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPenumbraWedgePass
+ * @brief   Technique wedges: soft shadow volumes by penumbra wedges.
+ *
+ * Assarsson, Dougherty, Mounier and Akenine-Moeller, An optimized soft shadow volume algorithm with
+ * real-time performance, EGSR 2003; and, beyond it, counts for each sample of the light.
+ *
+ * Stages:
+ *   1. Silhouettes from the light's centre, where light or casters changed (vtkShadowSilhouetteCache).
+ *   2. The bound of the space in which each edge hides a part of the light, within the box of what
+ *      receives (vtkShadowWedge): of these edges, or of all at which casters may end.
+ *   3. Receivers.
+ *   4. How many volumes hold a receiver, as its sight of the light's centre: z-pass, or z-fail, by which
+ *      side of each volume's sides it is on.
+ *   5. Over each wedge, what its edge lets through of the light where the centre is hidden, and hides
+ *      where it is not; or how it changes the counts of samples.
+ *   6. One step over the picture, that takes the sum, or the samples that are hidden, from full light.
+ *
+ * Parameters, each with default and range:
+ *   overlap  sum     sum, loops or count: all edges together, max + min / 2 of the silhouettes' loops as in
+ *                    the paper's section 5.1, or a count for each sample of the light
+ *   samples  64      1 to 256: of overlap=count
+ *   split    1       1 to 4: the light is split x split lights, of overlap=sum and loops
+ *   bounds   tight   tight or sphere: what bounds a wedge; the picture is the same
+ *
+ * Debug views: "centre", how often the light's centre is hidden; "inner" and "outer", what the halves of
+ * the wedges let through and hide; "cost", wedges drawn over a pixel.
+ *
+ * Textures and buffers, beside those of vtkShadowSilhouetteCache and vtkShadowVolumes:
+ *   wedges   vertex buffer     60 bytes a corner (92 with overlap=count), about 50 corners a wedge
+ *   planes   RGBA32F buffer    a texel a line of the silhouettes
+ *   sums     RG32F             viewport size: how often the centre is hidden, what edges let through
+ *   loops    2 x RG32F         viewport size: what loops hide, what holes let through; of overlap=loops
+ *   counts   1 to 8 x RGBA32F  viewport size: of samples, 4, 3 or 2 digits a channel
+ */
+
+#ifndef vtkPenumbraWedgePass_h
+#define vtkPenumbraWedgePass_h
+
+#include "vtkShadowPass.h"
+#include "vtkSoftShadowsShadowVolumesModule.h" // For export macro
+
+class VTKSOFTSHADOWSSHADOWVOLUMES_EXPORT vtkPenumbraWedgePass : public vtkShadowPass
+{
+public:
+  static vtkPenumbraWedgePass* New();
+  vtkTypeMacro(vtkPenumbraWedgePass, vtkShadowPass);
+
+protected:
+  vtkPenumbraWedgePass();
+  ~vtkPenumbraWedgePass() override;
+
+private:
+  vtkPenumbraWedgePass(const vtkPenumbraWedgePass&) = delete;
+  void operator=(const vtkPenumbraWedgePass&) = delete;
+};
+
+#endif

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The wedges of one light, or of a part of its area: made from edges that casters end at, kept on the GPU.
+//
+//   wedges  vertex buffer    60 bytes a corner, 92 of all edges; about 50 corners a wedge
+//   planes  RGBA32F buffer   a texel a line of the silhouettes' batch: through the light's centre and the
+//                            edge, in SWC, positive where the caster is
+
+#ifndef vtkPenumbraWedges_h
+#define vtkPenumbraWedges_h
+
+#include "vtkShadowGL.h"       // For planes
+#include "vtkShadowVertices.h" // For vertices
+#include "vtkShadowVolumes.h"  // For what they are drawn over
+#include "vtkShadowWedges.h"   // For bounds
+
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkShaderProgram;
+class vtkShadowAdjacencies;
+class vtkShadowCasters;
+class vtkVisibilityBuffer;
+struct vtkShadowAdjacency;
+struct vtkShadowCaster;
+struct vtkShadowFrame;
+
+class vtkPenumbraWedges
+{
+public:
+  /** Of which light, or part of its area. */
+  void SetLight(const vtkShadowWedgeLight& light) { this->Light = light; }
+  const vtkShadowWedgeLight& GetLight() const { return this->Light; }
+
+  /** Make the planes of the silhouettes of a light's place, for the count of volumes. */
+  void MakePlanes(vtkShadowFrame& frame, const vtkShadowSilhouetteCache::Batch& batch, int place);
+  /** Make the wedges of the silhouettes of a light's place. */
+  void MakeOfSilhouette(vtkShadowFrame& frame, const vtkShadowSilhouetteCache::Batch& batch,
+    int place, vtkShadowWedge::Bounds bounds);
+
+  /**
+   * Make those of all edges that casters (indices of vtkShadowCasters::Get()) may end at, as any point of
+   * the light sees them.
+   */
+  void MakeOfEdges(vtkShadowFrame& frame, const vtkShadowAdjacencies& adjacencies,
+    const std::vector<int>& casters, vtkShadowWedge::Bounds bounds);
+
+  /**
+   * Draw those that may be seen, for vtkShadowVolumes::AddBehind; counts in the frame. Of some parts of the
+   * silhouette alone, if these are named.
+   */
+  void Draw(vtkShadowFrame& frame, const vtkShadowVolumes& volumes, const glm::dmat4& SWCToDraw,
+    float farthest, const glm::vec2& retreat, const vtkShadowPrograms::Sources& sources,
+    const std::function<void(vtkShaderProgram*)>& setParameters,
+    const std::vector<int>* some = nullptr);
+  /** Set what vtkPenumbraLightFS.glsl needs; and what it is to begin with. */
+  void SetLight(const vtkShadowFrame& frame, vtkShaderProgram* program) const;
+  std::string GetLightGLSL() const;
+
+  vtkShadowTexture& GetPlanes() { return this->Planes; }
+  std::size_t GetNumberOfWedges() const { return this->Wedges; }
+  std::size_t GetBytes() const { return this->Vertices.GetBytes() + this->Planes.GetBytes(); }
+  void Release(vtkOpenGLRenderWindow* window);
+
+private:
+  /** Corners of a caster's wedges. */
+  struct Part
+  {
+    int Caster;
+    std::size_t First;
+    std::size_t Count;
+    std::size_t Wedges;
+  };
+  void Start(const vtkShadowFrame& frame, bool ofEdges);
+  void StartPart(int caster);
+  void AddWedge(const vtkShadowWedgeEdge& edge, vtkShadowWedge::Bounds bounds);
+  void Upload();
+  /** Which side of a face the light sees: 1 or -1, or 0 where that depends on the point. */
+  int FindSide(const glm::dvec4& plane) const;
+  void AddEdges(const vtkShadowCaster& caster, const vtkShadowAdjacency& adjacency,
+    vtkShadowWedge::Bounds bounds);
+  /** Planes of the box around all that may be shadowed, positive inside; none where nothing may. */
+  static std::vector<glm::dvec4> GetReceivers(const vtkShadowCasters& casters);
+  std::vector<glm::dvec4> GetExtremes() const;
+
+  vtkShadowWedgeLight Light;
+  vtkShadowVertices Vertices;
+  vtkShadowTexture Planes;
+  std::vector<Part> Parts;
+  bool OfEdges = false; // with faces
+  std::size_t Wedges = 0;
+  std::size_t Culled = 0;            // that no receiver lies in
+  std::vector<glm::dvec4> Receivers; // while wedges are made
+  std::vector<float> Values;
+};
+
+#endif

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What penumbra wedges promise: the union of casters by counts, no streak wherever the eye is and whatever
+// the mesh, and the same picture however wedges are bounded.
+
+#include "ShadowOracle.h"
+#include "ShadowTest.h"
+
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkLightCollection.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace
+{
+vtkAreaLight* AddLight(ShadowStage& stage, LightKind kind, const glm::dvec3& place, double size)
+{
+  vtkAreaLight* light = stage.AddLight(kind, place, { 0.0, 0.0, 0.0 });
+  light->SetRadius(size);
+  light->SetWidth(2.0 * size);
+  light->SetHeight(2.0 * size);
+  return light;
+}
+
+/** Polygons over points, whatever they are. */
+void AddMesh(ShadowStage& stage, const std::vector<glm::dvec3>& points,
+  const std::vector<std::vector<vtkIdType>>& polygons)
+{
+  vtkNew<vtkPoints> places;
+  for (const auto& p : points)
+  {
+    places->InsertNextPoint(p.x, p.y, p.z);
+  }
+  vtkNew<vtkCellArray> cells;
+  for (const auto& polygon : polygons)
+  {
+    cells->InsertNextCell(static_cast<vtkIdType>(polygon.size()), polygon.data());
+  }
+  vtkNew<vtkPolyData> mesh;
+  mesh->SetPoints(places);
+  mesh->SetPolys(cells);
+  stage.Add(mesh);
+}
+
+/** Open, wound both ways, doubled, three at an edge, passing through each other, of no area. */
+void AddBadMeshes(ShadowStage& stage)
+{
+  AddMesh(stage,
+    { { -1.4, -1.0, 1.0 }, { 0.2, -1.0, 1.0 }, { 0.2, 0.4, 1.2 }, { -1.4, 0.4, 1.2 },
+      { -0.6, -0.3, 2.0 }, { -0.6, -1.0, 1.6 } },
+    { { 0, 1, 2 }, { 0, 3, 2 }, { 0, 1, 2 }, { 0, 2, 4 }, { 1, 1, 2 }, { 0, 5, 1 }, { 3, 3, 3 } });
+  AddMesh(stage,
+    { { 0.4, -0.8, 0.4 }, { 1.6, -0.8, 1.0 }, { 1.0, 0.6, 0.7 }, { 0.8, -0.2, 0.1 },
+      { 1.3, -0.1, 1.5 }, { 1.0, 0.9, 0.9 } },
+    { { 0, 1, 2 }, { 3, 4, 5 }, { 0, 4, 2 }, { 5, 4, 3 } });
+}
+
+Visibility See(ShadowStage& stage, const std::string& technique, const Parameters& parameters)
+{
+  stage.SetPass(technique, parameters);
+  stage.Render();
+  return stage.GetVisibility();
+}
+}
+
+//------------------------------------------------------------------------------
+// Two squares under a square light, all parallel: what they hide together is a union of rectangles of the
+// light. Of 256 stratified samples 0.5 x 256^-0.75 = 0.0078 are wrong in the penumbra, a tenth of the picture.
+SHADOW_TEST(Wedges, StackedSquares, Once)
+{
+  ShadowStage stage(200, 200);
+  vtkActor* floor = stage.AddFloor(5.0);
+  const glm::dvec2 low[] = { { -1.0, -0.9 }, { -0.4, -0.5 } };
+  const glm::dvec2 high[] = { { 0.6, 0.7 }, { 1.2, 1.0 } };
+  const double heights[] = { 1.5, 3.0 };
+  for (int i = 0; i < 2; ++i)
+  {
+    const glm::dvec2 size = high[i] - low[i];
+    stage.AddQuad({ low[i], heights[i] }, { size.x, 0.0, 0.0 }, { 0.0, size.y, 0.0 });
+  }
+  AddLight(stage, LightKind::Rectangle, { 0.0, 0.0, 6.0 }, 1.0);
+  stage.LookAt({ 3.0, -8.0, 5.0 }, { 0.0, 0.0, 0.3 });
+  const ShadowOracle oracle(stage);
+  const auto mask = oracle.GetMask(floor);
+  auto use = oracle.GetInner(1);
+  Visibility truth;
+  truth.Width = truth.Height = 200;
+  truth.Mask.assign(use.size(), 1);
+  for (std::size_t k = 0; k < use.size(); ++k)
+  {
+    use[k] = use[k] && mask[k];
+    const glm::dvec3& p = oracle.GetPixels()[k].Position;
+    glm::dvec2 from[3];
+    glm::dvec2 to[3];
+    for (int i = 0; i < 2; ++i)
+    {
+      const double scale = (6.0 - p.z) / (heights[i] - p.z);
+      from[i] = glm::clamp(glm::dvec2(p) + scale * (low[i] - glm::dvec2(p)), -1.0, 1.0);
+      to[i] = glm::clamp(glm::dvec2(p) + scale * (high[i] - glm::dvec2(p)), -1.0, 1.0);
+    }
+    from[2] = glm::max(from[0], from[1]);
+    to[2] = glm::max(from[2], glm::min(to[0], to[1]));
+    double areas[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      const glm::dvec2 size = to[i] - from[i];
+      areas[i] = 0.25 * size.x * size.y;
+    }
+    truth.V.push_back(static_cast<float>(1.0 - areas[0] - areas[1] + areas[2]));
+  }
+  const auto count = See(stage, "wedges", { { "overlap", "count" }, { "samples", "256" } });
+  ShadowTest::CheckAtMost(Compare(count, truth, 0.1, use).RMSE, 0.005, "count: RMSE");
+  ShadowTest::CheckAtMost(std::abs(Compare(count, truth, 0.1, use).Bias), 0.0005, "count: bias");
+  // Where both hide the same part of the light it counts twice: the sum is darker, never lighter.
+  const auto sum = See(stage, "wedges", { { "overlap", "sum" } });
+  ShadowTest::CheckAtMost(Compare(sum, truth, 0.1, use).Bias, -0.001, "sum: bias");
+  // A guess between both bounds.
+  const auto loops = See(stage, "wedges", { { "overlap", "loops" } });
+  ShadowTest::CheckEqual(stage.Count("loops"), 2.0, "loops of silhouettes");
+  ShadowTest::CheckAtMost(Compare(loops, truth, 0.1, use).RMSE,
+    0.8 * Compare(sum, truth, 0.1, use).RMSE, "loops: RMSE, against that of the sum");
+  for (std::size_t k = 0; k < use.size(); ++k)
+  {
+    if (use[k] && sum.V[k] > truth.V[k] + 0.005f)
+    {
+      ShadowTest::Check(false, "sum: lighter than the truth at pixel " + std::to_string(k));
+      break;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// However a wedge is bounded, what its edge hides is the same, to the bit.
+SHADOW_TEST(Wedges, BoundsChangeNothing, Once)
+{
+  for (const LightKind kind :
+    { LightKind::Sphere, LightKind::Disk, LightKind::Rectangle, LightKind::Directional })
+  {
+    for (const char* overlap : { "sum", "loops", "count" })
+    {
+      ShadowStage stage;
+      stage.AddThings();
+      stage.AddLight(kind);
+      const auto tight = See(stage, "wedges", { { "overlap", overlap } });
+      const auto sphere = See(stage, "wedges", { { "overlap", overlap }, { "bounds", "sphere" } });
+      ShadowTest::CheckAtMost(Compare(tight, sphere).Maximum, 1e-5,
+        std::string(GetName(kind)) + ", " + overlap + ": V by another bound");
+      ShadowTest::CheckAtLeast(stage.Count("wedgesDrawn"), 10.0, "wedges");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// A light of no size is counted as volume-hard counts it.
+SHADOW_TEST(Wedges, ZeroSizeIsVolumeHard, Once)
+{
+  for (const LightKind kind : { LightKind::Sphere, LightKind::Rectangle, LightKind::Directional })
+  {
+    for (const char* overlap : { "sum", "loops", "count" })
+    {
+      ShadowStage stage;
+      stage.AddThings();
+      ShadowStage::Shrink(stage.AddLight(kind));
+      ShadowTest::Check(
+        Same(See(stage, "wedges", { { "overlap", overlap } }), See(stage, "volume-hard", {})),
+        std::string(GetName(kind)) + ", " + overlap + ": not volume-hard");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// The eye in the penumbra, in the inner half of a wedge, in the plane of a volume's side, before a caster
+// that the near plane cuts, and in a parallel view; of bodies and of meshes that are none. What differs from rays by a
+// quarter of the light and more are single pixels at edges: one in 300.
+SHADOW_TEST(Wedges, NoStreaks, Once)
+{
+  // A sheet of side 3 at height 3 under a light at height 6 of radius 0.5: the side of its volume towards
+  // -y holds the points y = -1.5 - (3 - z) / 2, and the penumbra reaches half as far again.
+  const struct
+  {
+    const char* What;
+    glm::dvec3 Eye, Focus;
+    double Near;
+  } views[] = {
+    { "from outside", { 3.0, -8.0, 5.0 }, { 0.0, 0.0, 0.5 }, 0.1 },
+    { "in the penumbra", { 0.3, -1.8, 2.0 }, { 1.0, 2.0, 0.0 }, 0.01 },
+    { "in a side's plane", { 0.3, -2.0, 2.0 }, { 3.0, -3.0, 0.0 }, 0.01 },
+    { "in the inner half", { 0.3, -1.7, 1.8 }, { 0.2, 3.0, 0.2 }, 0.01 },
+    { "in the umbra", { 0.3, -0.2, 0.9 }, { 3.0, 1.0, 0.0 }, 0.01 },
+    { "before the near plane", { 2.5, -4.0, 1.8 }, { 0.0, 0.0, 0.8 }, 3.6 },
+  };
+  for (const bool bad : { false, true })
+  {
+    for (const bool parallel : { false, true })
+    {
+      for (const auto& view : views)
+      {
+        ShadowStage stage(160, 120);
+        stage.AddFloor(8.0);
+        stage.AddQuad({ -1.5, -1.5, 3.0 }, { 3.0, 0.0, 0.0 }, { 0.0, 3.0, 0.0 });
+        bad ? AddBadMeshes(stage)
+            : static_cast<void>(stage.AddBox({ 1.2, 0.4, 0.6 }, { 1.0, 0.8, 1.0 }));
+        AddLight(stage, LightKind::Sphere, { 0.1, 0.0, 6.0 }, 0.5);
+        stage.LookAt(view.Eye, view.Focus, 60.0);
+        vtkCamera* camera = stage.Renderer->GetActiveCamera();
+        camera->SetClippingRange(view.Near, 40.0);
+        camera->SetParallelProjection(parallel);
+        camera->SetParallelScale(2.5);
+        const auto use = ShadowOracle(stage).GetInner(1);
+        const auto truth = See(stage, "ray-traced", { { "samples", "64" } });
+        const std::string what = std::string(view.What) + (bad ? ", bad meshes" : ", bodies") +
+                                 (parallel ? ", parallel view" : "");
+        // What is looked at is there.
+        const auto range = GetRange(truth);
+        ShadowTest::CheckAtMost(range.first, 0.1, what + ": lowest V");
+        ShadowTest::CheckAtLeast(range.second, 0.5, what + ": highest V");
+        const auto count = See(stage, "wedges", { { "overlap", "count" }, { "samples", "64" } });
+        ShadowTest::CheckAtMost(
+          Compare(count, truth, 0.25, use).Share, 0.0033, what + ", count: pixels other than rays");
+        if (!bad) // or its limits are more
+        {
+          const auto sum = See(stage, "wedges", { { "overlap", "sum" } });
+          ShadowTest::CheckAtMost(
+            Compare(sum, truth, 0.5, use).Share, 0.0033, what + ", sum: pixels other than rays");
+          const auto loops = See(stage, "wedges", { { "overlap", "loops" }, { "split", "2" } });
+          ShadowTest::CheckAtMost(Compare(loops, truth, 0.5, use).Share, 0.0033,
+            what + ", loops: pixels other than rays");
+        }
+      }
+    }
+  }
+}
