@@ -17,6 +17,9 @@
 
 namespace
 {
+/** So much is allocated at first, if the budget allows, and then twice as much each time. */
+constexpr std::size_t LeastBytes = std::size_t(1) << 25;
+
 /** What turns clip coordinates of a view into those of a tile of it. */
 glm::dmat4 GetTileOfClip(const vtkVirtualShadowTile& tile)
 {
@@ -178,7 +181,8 @@ void vtkVirtualShadowPages::Drop(
 //------------------------------------------------------------------------------
 bool vtkVirtualShadowPages::Allocate(vtkShadowFrame& frame, int slots)
 {
-  int layers = std::max(1, this->Tiles.GetLayers());
+  const auto least = static_cast<int>(LeastBytes / (std::size_t(4) * this->Side * this->Side));
+  int layers = std::max({ 1, least, this->Tiles.GetLayers() });
   while (layers < slots)
   {
     layers *= 2;

@@ -14,7 +14,7 @@
 #include "vtkShadowCasters.h"                      // For casters
 #include "vtkShadowGL.h"                           // For textures
 #include "vtkSoftShadowsVirtualShadowMapsModule.h" // For export macro
-#include "vtkVirtualShadowTree.h"                  // For tiles
+#include "vtkVirtualShadowTile.h"                  // For tiles
 
 #include <glm/mat4x4.hpp>
 

@@ -86,7 +86,7 @@ glm::dvec2 vtkVirtualShadowTree::FindLeast(
 }
 
 //------------------------------------------------------------------------------
-void vtkVirtualShadowTree::Build(const Options& options, double coarser)
+void vtkVirtualShadowTree::Build(const Options& options)
 {
   this->Nodes.clear();
   this->Tiles.clear();
@@ -94,14 +94,14 @@ void vtkVirtualShadowTree::Build(const Options& options, double coarser)
   for (int view = 0; view < views; ++view)
   {
     this->FirstNodes[view] = static_cast<int>(this->Nodes.size());
-    this->AddNode(view, { 0, 0, 0, 0 }, options, coarser);
+    this->AddNode(view, { 0, 0, 0, 0 }, options);
   }
   this->FirstNodes[views] = static_cast<int>(this->Nodes.size());
 }
 
 //------------------------------------------------------------------------------
 void vtkVirtualShadowTree::AddNode(
-  int view, const std::array<int, 4>& place, const Options& options, double coarser)
+  int view, const std::array<int, 4>& place, const Options& options)
 {
   const std::size_t index = this->Nodes.size();
   Node node;
@@ -122,13 +122,13 @@ void vtkVirtualShadowTree::AddNode(
   // How many times finer the map would have to be.
   const glm::dvec2 lack = options.Fixed
                             ? glm::dvec2(0.0)
-                            : size / (static_cast<double>(options.Side) * coarser * least * Tolerance);
+                            : size / (static_cast<double>(options.Side) * least * Tolerance);
   const auto canSplit = [&](int axis)
   { return lack[axis] > 1.0 && place[axis] + std::log2(options.Side) < MostHalvings; };
   if (!canSplit(0) && !canSplit(1))
   {
     glm::ivec2 texels(options.Side);
-    if (!options.Aligned && !options.Fixed)
+    if (!options.Fixed)
     {
       // As many as are asked for, of what is asked for.
       glm::ivec2 first(columns.y, rows.y);
@@ -146,13 +146,18 @@ void vtkVirtualShadowTree::AddNode(
       }
       node.Low = glm::max(node.Low, glm::dvec2(first) / static_cast<double>(Cells));
       node.High = glm::min(node.High, glm::dvec2(end) / static_cast<double>(Cells));
-      const glm::dvec2 wanted = glm::ceil((node.High - node.Low) / (coarser * least * Tolerance));
+      const glm::dvec2 wanted = glm::ceil((node.High - node.Low) / (least * Tolerance));
       texels = glm::ivec2(
         glm::clamp(wanted, glm::dvec2(1.0), glm::dvec2(static_cast<double>(options.Side))));
     }
     node.Leaf = true;
     node.Next = static_cast<int>(index) + 1;
-    this->AddTile(node, view, place, texels);
+    node.Tile = static_cast<int>(this->Tiles.size());
+    vtkVirtualShadowTile tile(view, place, options.Side);
+    tile.Low = node.Low;
+    tile.High = node.High;
+    tile.Size = texels;
+    this->Tiles.push_back(tile);
     this->Nodes.push_back(node);
     return;
   }
@@ -163,24 +168,9 @@ void vtkVirtualShadowTree::AddNode(
     std::array<int, 4> child = place;
     ++child[axis];
     child[2 + axis] = 2 * place[2 + axis] + half;
-    this->AddNode(view, child, options, coarser);
+    this->AddNode(view, child, options);
   }
   this->Nodes[index].Next = static_cast<int>(this->Nodes.size());
-}
-
-//------------------------------------------------------------------------------
-void vtkVirtualShadowTree::AddTile(
-  Node& node, int view, const std::array<int, 4>& place, const glm::ivec2& size)
-{
-  node.Tile = static_cast<int>(this->Tiles.size());
-  vtkVirtualShadowTile tile;
-  tile.View = view;
-  tile.Place = place;
-  tile.Low = node.Low;
-  tile.High = node.High;
-  tile.Size = size;
-  tile.Node = static_cast<int>(this->Nodes.size());
-  this->Tiles.push_back(tile);
 }
 
 //------------------------------------------------------------------------------
@@ -193,7 +183,7 @@ std::vector<glm::vec4> vtkVirtualShadowTree::GetNodes() const
     vectors.emplace_back(glm::vec2(node.Low), glm::vec2(node.High));
     const vtkVirtualShadowTile none;
     const vtkVirtualShadowTile& tile = node.Tile < 0 ? none : this->Tiles[node.Tile];
-    const int kind = node.Tile < 0 ? (node.Leaf ? 1 : 0) : (tile.Kept ? 3 : 2);
+    const int kind = node.Tile < 0 ? (node.Leaf ? 1 : 0) : 2;
     vectors.emplace_back(node.Next, kind, tile.Layer, tile.Batch);
     vectors.emplace_back(glm::vec2(tile.Corner), glm::vec2(tile.Size));
   }

@@ -10,6 +10,7 @@
 #define vtkVirtualShadowTree_h
 
 #include "vtkSoftShadowsVirtualShadowMapsModule.h" // For export macro
+#include "vtkVirtualShadowTile.h"                  // For tiles
 
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
@@ -17,25 +18,6 @@
 #include <array>
 #include <cstddef>
 #include <vector>
-
-/** A leaf that is asked for: a rectangle of a view's map, [0,1] in x and y, and a map of it. */
-struct vtkVirtualShadowTile
-{
-  int View = 0;
-  /** Which one it is: halvings of the map along x and y, and its number among those. */
-  std::array<int, 4> Place{};
-  glm::dvec2 Low{ 0.0 };
-  glm::dvec2 High{ 1.0 };
-  glm::ivec2 Size{ 0 }; // texels
-  int Node = 0;
-
-  ///@{ Set by whoever draws it: where its map lies, in which turn it is there, and whether it was kept.
-  int Batch = 0;
-  int Layer = 0;
-  glm::ivec2 Corner{ 0 };
-  bool Kept = false;
-  ///@}
-};
 
 class VTKSOFTSHADOWSVIRTUALSHADOWMAPS_EXPORT vtkVirtualShadowTree
 {
@@ -45,10 +27,8 @@ public:
 
   struct Options
   {
-    /** Texels along a side of a tile's map, at most; of aligned ones just so many, a power of two. */
+    /** Texels along a side of a tile's map, at most. */
     int Side = 512;
-    /** All tiles are halvings of the map, each of Side x Side texels, so that they can be kept. */
-    bool Aligned = true;
     /** One map a view of Side x Side texels, whatever is asked for. */
     bool Fixed = false;
   };
@@ -60,13 +40,12 @@ public:
    */
   std::size_t AddRequests(const std::vector<glm::vec4>& requests);
 
-  /** Make the tiles: texels as many times coarser than asked for. */
-  void Build(const Options& options, double coarser = 1.0);
+  void Build(const Options& options);
   std::vector<vtkVirtualShadowTile>& GetTiles() { return this->Tiles; }
 
   /**
    * The trees' nodes in the order of a walk, three vectors each: rectangle; next node beside it, kind (0
-   * inner, 1 empty, 2 tile, 3 tile that was kept), layer, batch; corner and size in texels.
+   * inner, 1 empty, 2 tile), layer, batch; corner and size in texels.
    */
   std::vector<glm::vec4> GetNodes() const;
   /** Of a view; of the number of views, the end. */
@@ -83,8 +62,7 @@ private:
   };
   /** The finest texel that is asked for within a rectangle of cells; infinite where none is. */
   glm::dvec2 FindLeast(int view, const glm::ivec2& first, const glm::ivec2& end) const;
-  void AddNode(int view, const std::array<int, 4>& place, const Options& options, double coarser);
-  void AddTile(Node& node, int view, const std::array<int, 4>& place, const glm::ivec2& size);
+  void AddNode(int view, const std::array<int, 4>& place, const Options& options);
 
   std::vector<std::vector<glm::vec2>> Grids; // of each view
   std::vector<Node> Nodes;

@@ -9,6 +9,7 @@
 #include "vtkShadowOpenGL.h"
 #include "vtkVirtualKernelFS.h"
 #include "vtkVirtualSumFS.h"
+#include "vtkVirtualTilesFS.h"
 #include "vtkVirtualVisibilityFS.h"
 #include "vtkVisibilityBuffer.h"
 
@@ -16,11 +17,20 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
 /** Texels along a side of a kernel before some are left out; more than any metric asks for. */
 constexpr int MostTaps = 48;
+
+/** Sides of maps where none is asked for, and the least. */
+constexpr int AutomaticSide = 512;
+constexpr int LeastFixedSide = 1024;
+constexpr int LeastSide = 16;
+
+/** The virtual map is never finer than so many halvings of a map of one texel: floats end there. */
+constexpr int MostHalvings = 18;
 
 /** Cells of the coarse map along a side of what may hide the light. */
 constexpr int MeanTaps = 6;
@@ -45,24 +55,33 @@ std::string vtkVirtualSoftShadowMapTechnique::FindUnsupported(vtkOpenGLRenderWin
 }
 
 //------------------------------------------------------------------------------
-vtkVirtualShadowTree::Options vtkVirtualSoftShadowMapTechnique::GetTreeOptions() const
+void vtkVirtualSoftShadowMapTechnique::FindSide(vtkShadowFrame& frame)
 {
-  vtkVirtualShadowTree::Options options;
-  options.Fixed = this->Settings.GetChoice("metric") == "none";
-  options.Aligned = this->Settings.GetBoolean("cache");
-  options.Side = this->Settings.GetInteger("resolution");
-  if (options.Aligned && !options.Fixed)
+  const bool fixed = this->Settings.GetChoice("metric") == "none";
+  this->Keeps = this->Settings.GetBoolean("cache");
+  const std::size_t budget = std::size_t(1048576) * this->Settings.GetInteger("budget");
+  const int asked = this->Settings.GetInteger("resolution");
+  this->Side = frame.ChooseResolution(
+    asked == 0 && !fixed ? AutomaticSide : asked, LeastSide, LeastFixedSide);
+  if (this->Keeps && !fixed)
   {
-    options.Side = FloorToPowerOfTwo(options.Side);
+    // A page of a power of two, and within the budget.
+    this->Side = FloorToPowerOfTwo(this->Side);
+    while (this->Side > LeastSide && std::size_t(4) * this->Side * this->Side > budget)
+    {
+      this->Side /= 2;
+    }
   }
-  return options;
+  this->MostPages = this->Pages.SetLimits(this->Side, budget, this->Keeps);
 }
 
 //------------------------------------------------------------------------------
 bool vtkVirtualSoftShadowMapTechnique::UpdateLightData(vtkShadowFrame& frame)
 {
-  const int coarse = FloorToPowerOfTwo(
-    frame.ChooseResolution(this->Settings.GetInteger("coarse"), 1, 1));
+  int largest = 1024;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  const int coarse =
+    FloorToPowerOfTwo(std::min(std::max(this->Settings.GetInteger("coarse"), 32), largest));
   if (!this->Views.Update(frame, coarse))
   {
     frame.Messages->Error("no memory for coarse maps of " + std::to_string(coarse) + " x " +
@@ -75,10 +94,7 @@ bool vtkVirtualSoftShadowMapTechnique::UpdateLightData(vtkShadowFrame& frame)
       "a light is among its casters and larger than three fifths of its distance from "
       "one: penumbrae that reach further beyond the face of its cube are drawn in.");
   }
-  const auto options = this->GetTreeOptions();
-  const int side = frame.ChooseResolution(options.Side, 1, 1);
-  this->MostPages = this->Pages.SetLimits(
-    side, std::size_t(1048576) * this->Settings.GetInteger("budget"), options.Aligned);
+  this->FindSide(frame);
   const int parts = static_cast<int>(frame.Parts.size());
   for (int i = 0; i < parts; ++i)
   {
@@ -95,9 +111,20 @@ bool vtkVirtualSoftShadowMapTechnique::UpdateLightData(vtkShadowFrame& frame)
 }
 
 //------------------------------------------------------------------------------
+std::string vtkVirtualSoftShadowMapTechnique::GetTilesGLSL() const
+{
+  const int log2 = static_cast<int>(std::ceil(std::log2(this->Side)));
+  const int halvings =
+    std::clamp(MostHalvings - log2, 0, vtkVirtualShadowRequests::MostHalvings);
+  return (this->Keeps ? "#define SHADOW_PAGES\n" : "") + std::string("#define SHADOW_PAGE_SIDE ") +
+         std::to_string(this->Side) + ".0\n#define SHADOW_MOST_HALVINGS " +
+         std::to_string(halvings) + ".0\n" + vtkVirtualTilesFS;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkVirtualSoftShadowMapTechnique::GetVisibilityGLSL()
 {
-  return vtkVirtualShadowViews::GetGLSL() + vtkVirtualVisibilityFS;
+  return vtkVirtualShadowViews::GetGLSL() + this->GetTilesGLSL() + vtkVirtualVisibilityFS;
 }
 
 //------------------------------------------------------------------------------
@@ -119,8 +146,15 @@ void vtkVirtualSoftShadowMapTechnique::Deactivate(vtkShadowFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-void vtkVirtualSoftShadowMapTechnique::SetTree(vtkShaderProgram* program)
+void vtkVirtualSoftShadowMapTechnique::SetTiles(vtkShaderProgram* program)
 {
+  program->SetUniformi("shadowNodes", this->Nodes.GetUnit());
+  if (this->Keeps)
+  {
+    program->SetUniformi("shadowTableSize", this->TableSize);
+    program->SetUniformi("shadowCoarser", this->Coarser);
+    return;
+  }
   int first[vtkVirtualShadowViews::Most + 1] = {};
   const int views = static_cast<int>(this->Views.GetViews(this->Part).size());
   for (int i = 0; i <= vtkVirtualShadowViews::Most; ++i)
@@ -128,7 +162,6 @@ void vtkVirtualSoftShadowMapTechnique::SetTree(vtkShaderProgram* program)
     first[i] = this->Tree.GetFirstNode(std::min(i, views));
   }
   program->SetUniform1iv("shadowFirstNode", vtkVirtualShadowViews::Most + 1, first);
-  program->SetUniformi("shadowNodes", this->Nodes.GetUnit());
 }
 
 //------------------------------------------------------------------------------
@@ -140,7 +173,7 @@ void vtkVirtualSoftShadowMapTechnique::SetVisibilityParameters(vtkShaderProgram*
     program->SetUniformi("shadowKernels", this->Kernels.GetUnit());
     program->SetUniformi("shadowSums", this->Sums.GetUnit());
     program->SetUniformi("shadowRequests", this->Requests.GetUnit());
-    this->SetTree(program);
+    this->SetTiles(program);
   }
 }
 
@@ -162,8 +195,10 @@ std::size_t vtkVirtualSoftShadowMapTechnique::FindKernels(
     std::string source = vtkVirtualKernelFS;
     vtkShaderProgram::Substitute(source, "//SHADOW::Declarations",
       frame.GetLightsGLSL() + vtkShadowReceivers::GetGLSL() + vtkVirtualShadowViews::GetGLSL() +
-        "#define SHADOW_MEAN_TAPS " + std::to_string(MeanTaps) + ".0\n" +
+        this->GetTilesGLSL() + "#define SHADOW_CELLS " +
+        std::to_string(vtkVirtualShadowTree::Cells) + ".0\n#define SHADOW_MEAN_TAPS " + std::to_string(MeanTaps) + ".0\n" +
         (metric == "static" ? "#define SHADOW_METRIC_STATIC\n" : "") +
+        (metric == "none" ? "#define SHADOW_METRIC_NONE\n" : "") +
         (this->Settings.GetBoolean("antialias") ? "#define SHADOW_ANTIALIAS\n" : ""));
     vtkShadowFramebuffer::Scope target(
       frame.Window, this->Framebuffer, { &this->Kernels, &this->Requests }, nullptr, 0);
@@ -177,48 +212,58 @@ std::size_t vtkVirtualSoftShadowMapTechnique::FindKernels(
         program->SetUniform4f("shadowEyeVC", glm::value_ptr(eyeVC));
         program->SetUniform4f("shadowWRow", glm::value_ptr(wRow));
         program->SetUniform3fv("shadowPixelVC", 2, pixels);
-        program->SetUniformf("shadowCells", vtkVirtualShadowTree::Cells);
         frame.SetLights(program);
         this->Views.SetParameters(program, frame, part);
       });
     receivers.Deactivate(frame.Window);
   }
   vtkShadowTimers::Scope timer(*frame.Timers, "requests");
-  this->Asked.resize(
+  this->Texels.resize(
     static_cast<std::size_t>(this->Requests.GetWidth()) * this->Requests.GetHeight());
-  this->Framebuffer.Read(frame.Window, this->Requests, 0, &this->Asked[0].x);
+  this->Framebuffer.Read(frame.Window, this->Requests, 0, &this->Texels[0].x);
+  if (this->Keeps)
+  {
+    return this->Asked.Read(this->Texels);
+  }
   this->Tree.Start(static_cast<int>(this->Views.GetViews(part).size()));
-  return this->Tree.AddRequests(this->Asked);
+  return this->Tree.AddRequests(this->Texels);
 }
 
 //------------------------------------------------------------------------------
 bool vtkVirtualSoftShadowMapTechnique::FindTiles(vtkShadowFrame& frame, int part)
 {
-  auto options = this->GetTreeOptions();
-  options.Side = frame.ChooseResolution(options.Side, 1, 1);
-  double coarser = 1.0;
-  this->Tree.Build(options, coarser);
-  while (options.Aligned && !options.Fixed && coarser < 1e6 &&
-         static_cast<int>(this->Tree.GetTiles().size()) > this->MostPages)
+  this->Coarser = 0;
+  if (this->Keeps)
   {
-    coarser *= 2.0;
-    this->Tree.Build(options, coarser);
+    this->Tiles = this->Asked.GetTiles(this->Side, 0);
+    while (static_cast<int>(this->Tiles.size()) > this->MostPages && this->Coarser < MostHalvings)
+    {
+      ++this->Coarser;
+      this->Tiles = this->Asked.GetTiles(this->Side, this->Coarser);
+    }
+    if (this->Coarser > 0)
+    {
+      frame.Messages->Warn("the pages that the picture asks for are more than the budget of " +
+                           std::to_string(this->Settings.GetInteger("budget")) +
+                           " MB: shadows are coarser than they should be. A larger budget mends that.");
+    }
   }
-  if (coarser > 1.0)
+  else
   {
-    frame.Messages->Warn(
-      "the pages that the picture asks for are more than the budget of " +
-      std::to_string(this->Settings.GetInteger("budget")) +
-      " MB: shadows are coarser than they should be. A larger budget mends that.");
+    this->Tree.Build({ this->Side, this->Settings.GetChoice("metric") == "none" });
+    this->Tiles = this->Tree.GetTiles();
   }
-  auto& tiles = this->Tree.GetTiles();
-  if (!this->Pages.Place(frame, part, tiles))
+  if (!this->Pages.Place(frame, part, this->Tiles))
   {
     return false;
   }
-  frame.Counts["coarser"] = std::max(frame.Counts["coarser"], coarser);
-  frame.Counts["tiles"] += static_cast<double>(tiles.size());
-  for (const auto& tile : tiles)
+  if (!this->Keeps)
+  {
+    this->Tree.GetTiles() = this->Tiles;
+  }
+  frame.Counts["coarser"] = std::max(frame.Counts["coarser"], std::exp2(this->Coarser));
+  frame.Counts["tiles"] += static_cast<double>(this->Tiles.size());
+  for (const auto& tile : this->Tiles)
   {
     frame.Counts["tileTexels"] += static_cast<double>(tile.Size.x) * tile.Size.y;
     frame.Counts["tilesKept"] += tile.Kept ? 1.0 : 0.0;
@@ -231,15 +276,18 @@ void vtkVirtualSoftShadowMapTechnique::Sum(
   vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part)
 {
   vtkOpenGLState* state = frame.Window->GetState();
-  this->Nodes.UploadBuffer(frame.Window, this->Tree.GetNodes());
+  const auto nodes = this->Keeps ? vtkVirtualShadowRequests::GetTable(this->Tiles)
+                                 : this->Tree.GetNodes();
+  this->TableSize = static_cast<int>(nodes.size());
+  this->Nodes.UploadBuffer(frame.Window, nodes);
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
   std::string source = vtkVirtualSumFS;
   vtkShaderProgram::Substitute(source, "//SHADOW::Declarations",
     frame.GetLightsGLSL() + vtkShadowReceivers::GetGLSL() + vtkVirtualShadowViews::GetGLSL() +
-      "#define SHADOW_MOST_TAPS " + std::to_string(MostTaps) + ".0\n");
+      this->GetTilesGLSL() + "#define SHADOW_MOST_TAPS " + std::to_string(MostTaps) + ".0\n");
   for (int batch = 0; batch < this->Pages.GetNumberOfBatches(); ++batch)
   {
-    this->Pages.Draw(frame, this->Views.GetViews(part), this->Tree.GetTiles(), batch);
+    this->Pages.Draw(frame, this->Views.GetViews(part), this->Tiles, batch);
     vtkShadowTimers::Scope timer(*frame.Timers, "filter");
     vtkShadowFramebuffer::Scope target(
       frame.Window, this->Framebuffer, &this->Sums, nullptr, 0);
@@ -264,7 +312,7 @@ void vtkVirtualSoftShadowMapTechnique::Sum(
         program->SetUniformi("shadowBatch", batch);
         frame.SetLights(program);
         this->Views.SetParameters(program, frame, part);
-        this->SetTree(program);
+        this->SetTiles(program);
       });
     for (vtkShadowTexture* texture :
       { &receivers, &this->Kernels, &this->Nodes, &this->Pages.GetTexture() })
@@ -301,6 +349,7 @@ void vtkVirtualSoftShadowMapTechnique::FillVisibility(
     if (!this->FindTiles(frame, i))
     {
       frame.Messages->Error("no memory for tiles; nothing is in shadow.");
+      this->Tiles.clear();
       this->Tree.Start(static_cast<int>(this->Views.GetViews(i).size()));
     }
     this->Sum(frame, buffer, i);
@@ -362,5 +411,5 @@ void vtkVirtualSoftShadowMapTechnique::Release(vtkOpenGLRenderWindow* window)
     texture->Release(window);
   }
   this->Framebuffer.Release(window);
-  std::vector<glm::vec4>().swap(this->Asked);
+  std::vector<glm::vec4>().swap(this->Texels);
 }

@@ -7,6 +7,7 @@
 #include "vtkShadowGL.h"           // For textures
 #include "vtkShadowTechnique.h"    // For the base class
 #include "vtkVirtualShadowPages.h" // For pages
+#include "vtkVirtualShadowRequests.h" // For pages that are asked for
 #include "vtkVirtualShadowTree.h"  // For tiles
 #include "vtkVirtualShadowViews.h" // For views
 
@@ -34,18 +35,26 @@ public:
   void Release(vtkOpenGLRenderWindow* window) override;
 
 private:
-  vtkVirtualShadowTree::Options GetTreeOptions() const;
+  /** What differs between pixels' own pages and the tiles of kd-trees: see vtkVirtualTilesFS.glsl. */
+  std::string GetTilesGLSL() const;
+  void FindSide(vtkShadowFrame& frame);
   /** Kernels and requests of a part of a light; gives how many pixels are to be filtered. */
   std::size_t FindKernels(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part);
   /** The tiles, within the budget; false when out of memory. */
   bool FindTiles(vtkShadowFrame& frame, int part);
   void Sum(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part);
-  void SetTree(vtkShaderProgram* program);
+  void SetTiles(vtkShaderProgram* program);
 
   vtkVirtualShadowViews Views;
-  vtkVirtualShadowTree Tree;
+  vtkVirtualShadowRequests Asked; // of cache=on
+  vtkVirtualShadowTree Tree;      // of cache=off
   vtkVirtualShadowPages Pages;
+  std::vector<vtkVirtualShadowTile> Tiles;
+  bool Keeps = true;   // the setting cache
+  int Side = 16;       // of a tile's map
   int MostPages = 1;
+  int Coarser = 0;     // halvings that pages go without
+  int TableSize = 4;
   int Part = 0;            // whose kernels and sums there are
   vtkShadowFrame* Frame = nullptr; // while visibility is filled
   vtkShadowTexture Kernels;
@@ -53,7 +62,7 @@ private:
   vtkShadowTexture Sums;
   vtkShadowTexture Nodes;
   vtkShadowFramebuffer Framebuffer;
-  std::vector<glm::vec4> Asked; // memory that is kept
+  std::vector<glm::vec4> Texels; // memory that is kept
 };
 
 #endif

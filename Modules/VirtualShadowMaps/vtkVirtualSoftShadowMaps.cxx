@@ -34,9 +34,10 @@ vtkShadowDeclaration Declare()
     vtkShadowParameter::Boolean("antialias", true,
       "Widen each filter by its pixel's footprint on the receiver, so that no shadow is sharper "
       "than a pixel"),
-    vtkShadowParameter::Integer("resolution", 512, 16, 16384,
-      "Side of a tile's map: of kept pages the power of two below, of others at most; with "
-      "metric=none of the only map")
+    vtkShadowParameter::Integer("resolution", 0, 0, 16384,
+      "Side of a tile's map, 16 at least (less counts as 16): of kept pages the power of two below, "
+      "of others at most; with metric=none of the only map; 0: 512, with metric=none the power of "
+      "two next to the picture's longer side, 1024 to 4096")
       .In("texels"),
     vtkShadowParameter::Boolean("cache", true,
       "Keep tiles as pages from frame to frame; off: the paper's own tiles, drawn anew in each "
@@ -44,8 +45,9 @@ vtkShadowDeclaration Declare()
     vtkShadowParameter::Integer(
       "budget", 256, 1, 16384, "Most that pages take; where more are asked for, all get coarser")
       .In("MB"),
-    vtkShadowParameter::Integer("coarse", 512, 32, 4096,
-      "Side of the map in which blockers are searched, rounded down to a power of two")
+    vtkShadowParameter::Integer("coarse", 512, 1, 4096,
+      "Side of the map in which blockers are searched, 32 at least (less counts as 32), rounded "
+      "down to a power of two")
       .In("texels")
       .At({ 256, 512, 512, 1024 }) };
   t.DebugViews = { "tiles", "predicted-resolution", "kernel-size", "lit-mask", "cache-hits" };

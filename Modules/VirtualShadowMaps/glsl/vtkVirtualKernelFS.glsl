@@ -14,11 +14,13 @@ uniform int shadowLight;
 uniform vec4 shadowEyeVC;     // where lines of sight meet, or the direction towards the viewer
 uniform vec4 shadowWRow;      // of VCToClip
 uniform vec3 shadowPixelVC[2]; // what moves by a pixel, times w
-uniform float shadowCells;    // along a side of the grid that requests are made in
 
-// Half axes (x, shear), (0, y) of the kernel over the map; 1 + number of the view, 0 where all is lit.
+// Half axes (x, shear), (0, y) of the kernel over the map; its code (vtkVirtualTilesFS.glsl), 0 where all
+// is lit.
 layout(location = 0) out vec4 shadowKernel;
-// Cells that the kernel covers, 1 + number of the view, texel that is asked for along x and y.
+// With SHADOW_PAGES: numbers of the pages that the kernel covers along x, along y, first + 4096 last; the
+// code; the smaller texel that is asked for. Else: cells that it covers, first + last cells^2; the code;
+// texel that is asked for along x and y.
 layout(location = 1) out vec4 shadowRequest;
 
 // Of a penumbra of so many pixels, how many texels it takes (section 5.1).
@@ -83,7 +85,8 @@ float shadowFindMean(int view, shadowPlace place, bool square, vec2 footprint, v
         : texelFetch(shadowPyramid, texel, level - 1).r;
       vec2 offset = 0.5 * (first + end) * cellLC - place.placeLC.xy;
       float nearer = place.placeLC.z - depth;
-      bool blocks = depth < place.placeLC.z + min(dot(place.slopeLC, offset), 0.0) - clear &&
+      float reference = place.placeLC.z + min(dot(place.slopeLC, offset), 0.0) - clear;
+      bool blocks = depth < min(reference, 1.0) && // behind the far plane all casters are in front
         all(lessThanEqual(abs(offset) - 0.5 * cellLC, nearer * unit + footprint));
       float weight = blocks ? (end.x - first.x) * (end.y - first.y) : 0.0;
       count += weight;
@@ -161,16 +164,41 @@ void main()
   vec2 pixels = filtered.xz *
     vec2(length(vec2(axes[0].y, axes[1].y)), length(vec2(axes[0].x, axes[1].x))) / area;
   vec2 texel = 2.0 * filtered.xz / vec2(shadowTexels(pixels.x), shadowTexels(pixels.y));
+  // What the light grazes is hardly lit: its pixels are at most so narrow over the map.
+  float w = abs(dot(shadowWRow, vec4(receiverVC.xyz, 1.0)));
+  float facing = 0.5 * w * min(length(shadowPixelVC[0]), length(shadowPixelVC[1])) / place.w;
+  texel = max(texel, 0.25 * facing / SHADOW_VIEW(view, 6).yz);
 #ifndef SHADOW_ANTIALIAS
   filtered = shadowDecompose(soft);
   filtered.xz = max(filtered.xz, 1e-3 * texel); // a box of no size has no weight
 #endif
   filtered = clamp(filtered, vec3(-1.0), vec3(1.0));
-  shadowKernel = vec4(filtered, float(view + 1));
-  vec2 half2 = vec2(filtered.x, filtered.z + abs(filtered.y));
-  vec2 low = clamp(floor((place.placeLC.xy - half2) * shadowCells), 0.0, shadowCells - 1.0);
-  vec2 high = clamp(floor((place.placeLC.xy + half2) * shadowCells), 0.0, shadowCells - 1.0);
-  vec2 rows = vec2(1.0, shadowCells);
+  vec2 reach = vec2(filtered.x, filtered.z + abs(filtered.y));
+  vec2 low = place.placeLC.xy - reach;
+  vec2 high = place.placeLC.xy + reach;
+  if (any(lessThan(high, vec2(0.0))) || any(greaterThan(low, vec2(1.0))))
+  {
+    return; // beside the map
+  }
+  float code = float(view + 1);
+#ifdef SHADOW_PAGES
+#ifndef SHADOW_METRIC_NONE
+  vec2 level = clamp(ceil(-log2(texel * SHADOW_PAGE_SIDE) - 1e-4), vec2(0.0),
+    vec2(SHADOW_MOST_HALVINGS));
+#else
+  vec2 level = vec2(0.0);
+#endif
+  code += 8.0 * level.x + 256.0 * level.y;
+  vec2 pages = exp2(level);
+  low = clamp(floor(low * pages), vec2(0.0), pages - 1.0);
+  high = clamp(floor(high * pages), vec2(0.0), pages - 1.0);
+  shadowRequest = vec4(low + 4096.0 * high, code, min(texel.x, texel.y));
+#else
+  low = clamp(floor(low * SHADOW_CELLS), 0.0, SHADOW_CELLS - 1.0);
+  high = clamp(floor(high * SHADOW_CELLS), 0.0, SHADOW_CELLS - 1.0);
+  vec2 rows = vec2(1.0, SHADOW_CELLS);
   shadowRequest =
-    vec4(dot(low, rows) + shadowCells * shadowCells * dot(high, rows), float(view + 1), texel);
+    vec4(dot(low, rows) + SHADOW_CELLS * SHADOW_CELLS * dot(high, rows), code, texel);
+#endif
+  shadowKernel = vec4(filtered, code);
 }

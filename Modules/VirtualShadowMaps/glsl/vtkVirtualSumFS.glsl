@@ -13,9 +13,7 @@
 uniform sampler2DArray shadowReceivers;
 uniform sampler2DArray shadowKernels;
 uniform sampler2DArray shadowTiles;
-uniform samplerBuffer shadowNodes; // see vtkVirtualShadowTree
-uniform int shadowFirstNode[shadowMostViews + 1];
-uniform int shadowBatch;
+uniform int shadowBatch; // of the tiles that are at hand
 uniform int shadowLight;
 
 // Texels along a side of a kernel, before some are left out.
@@ -70,7 +68,7 @@ void main()
     shadowReceiver receiver = shadowUnpackReceiver(receiverVC.w);
     shadowPropRounding = receiver.rounding;
     shadowSelf = receiverVC.w > 0.0;
-    int view = int(kernel.w) - 1;
+    int view = shadowGetView(kernel.w);
     shadowPlace place;
     shadowFindPlace(view, receiverVC.xyz, receiver.normalVC, place);
     // Where the horizon cuts the light, what lies below it is hidden already.
@@ -88,6 +86,26 @@ void main()
     vec2 half2 = vec2(kernel.x, kernel.z + abs(kernel.y));
     vec2 low = place.placeLC.xy - half2;
     vec2 high = place.placeLC.xy + half2;
+#ifdef SHADOW_PAGES
+    ivec2 level = shadowGetLevel(kernel.w);
+    vec2 pages = exp2(vec2(level));
+    ivec2 first = ivec2(clamp(floor(low * pages), vec2(0.0), pages - 1.0));
+    ivec2 end = ivec2(clamp(floor(high * pages), vec2(0.0), pages - 1.0));
+    for (int y = first.y; y <= end.y; ++y)
+    {
+      for (int x = first.x; x <= end.x; ++x)
+      {
+        float layer = shadowFindPage(view, level, ivec2(x, y)).x;
+        if (layer >= 0.0)
+        {
+          vec2 corner = vec2(x, y);
+          shadowAddTile(vec4(corner, corner + 1.0) / pages.xyxy,
+            vec4(0.0, 0.0, SHADOW_PAGE_SIDE, SHADOW_PAGE_SIDE), int(layer), place, kernel.xyz, cut,
+            cutDelta);
+        }
+      }
+    }
+#else
     int node = shadowFirstNode[view];
     int last = shadowFirstNode[view + 1];
     while (node < last)
@@ -102,6 +120,7 @@ void main()
       }
       node = apart || kind.y > 0.5 ? int(kind.x) : node + 1;
     }
+#endif
   }
   gl_FragData[0] = shadowSums;
 }

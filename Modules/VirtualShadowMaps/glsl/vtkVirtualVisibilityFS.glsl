@@ -6,8 +6,6 @@ uniform sampler2DArray shadowKernels;
 uniform sampler2DArray shadowSums;
 #ifdef SHADOW_QUANTITY
 uniform sampler2DArray shadowRequests;
-uniform samplerBuffer shadowNodes;
-uniform int shadowFirstNode[shadowMostViews + 1];
 #endif
 
 // Told to debug views.
@@ -72,7 +70,7 @@ SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionVC, vec3 normalVC)
   if (sums.z > 0.0)
   {
     // What of the kernel lies beside the map is lit, but where the map is cut.
-    int view = int(kernel.w) - 1;
+    int view = shadowGetView(kernel.w);
     float beside = SHADOW_VIEW(view, 9).z > 0.5 ? 0.0 : 4.0 * kernel.x * kernel.z - sums.z;
     beside = beside > 1e-4 * sums.z ? beside : 0.0;
     float all = sums.y + beside;
@@ -82,26 +80,14 @@ SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionVC, vec3 normalVC)
   shadowLitMask = kernel.w > 0.5 ? 0.0 : 1.0;
   if (kernel.w > 0.5)
   {
-    int view = int(kernel.w) - 1;
+    int view = shadowGetView(kernel.w);
     shadowKernelSize = max(kernel.x, kernel.z);
-    vec4 request = texelFetch(shadowRequests, pixel, 0);
-    shadowResolution = log2(1.0 / max(min(request.z, request.w), 1e-30));
+    shadowResolution = -log2(max(texelFetch(shadowRequests, pixel, 0).w, 1e-30));
     shadowPlace place;
     shadowFindPlace(view, positionVC, normalVC, place);
-    int node = shadowFirstNode[view];
-    while (node < shadowFirstNode[view + 1])
-    {
-      vec4 rectangleLC = texelFetch(shadowNodes, 3 * node);
-      vec4 kind = texelFetch(shadowNodes, 3 * node + 1);
-      bool apart = any(greaterThan(rectangleLC.xy, place.placeLC.xy)) ||
-        any(lessThanEqual(rectangleLC.zw, place.placeLC.xy));
-      if (!apart && kind.y > 1.5)
-      {
-        shadowTile = 0.2 + 0.8 * fract(0.618034 * float(node));
-        shadowReused = kind.y - 2.0;
-      }
-      node = apart || kind.y > 0.5 ? int(kind.x) : node + 1;
-    }
+    vec2 told = shadowTellTile(kernel.w, place.placeLC.xy);
+    shadowTile = told.x;
+    shadowReused = told.y;
   }
 #endif
   return SHADOW_VISIBILITY(visibility);
