@@ -81,7 +81,7 @@ std::vector<vtkVirtualShadowTile> vtkVirtualShadowRequests::GetTiles(int side, i
 
 //------------------------------------------------------------------------------
 std::vector<glm::vec4> vtkVirtualShadowRequests::GetTable(
-  const std::vector<vtkVirtualShadowTile>& tiles)
+  const std::vector<vtkVirtualShadowTile>& tiles, int firstView)
 {
   std::size_t size = 4;
   while (size < 2 * tiles.size())
@@ -93,7 +93,8 @@ std::vector<glm::vec4> vtkVirtualShadowRequests::GetTable(
   {
     const auto& place = tile.Place;
     const auto number = static_cast<std::uint32_t>(place[2] + Numbers * place[3]);
-    const auto code = static_cast<std::uint32_t>(tile.View + 1 + 8 * place[0] + 256 * place[1]);
+    const auto code = static_cast<std::uint32_t>(
+      tile.View - firstView + 1 + 8 * place[0] + 256 * place[1]);
     std::size_t slot = Hash(number, code) & (size - 1);
     while (table[slot].y != 0.0f)
     {

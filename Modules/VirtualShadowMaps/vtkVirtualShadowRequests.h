@@ -28,8 +28,9 @@ public:
   std::size_t Read(const std::vector<glm::vec4>& requests);
   /** The pages, of side x side texels, levels as many halvings coarser. */
   std::vector<vtkVirtualShadowTile> GetTiles(int side, int coarser) const;
-  /** The table of tiles that have their place. */
-  static std::vector<glm::vec4> GetTable(const std::vector<vtkVirtualShadowTile>& tiles);
+  /** The table of tiles that have their place; views count from the first one. */
+  static std::vector<glm::vec4> GetTable(
+    const std::vector<vtkVirtualShadowTile>& tiles, int firstView);
 
 private:
   std::unordered_set<std::uint64_t> Pages; // view, level and number in one

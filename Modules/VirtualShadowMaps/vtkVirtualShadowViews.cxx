@@ -24,7 +24,13 @@ constexpr double DepthRounding = 1.0 / 1048576.0;
 /** A map's border that stays clear of casters, in texels of the coarse map. */
 constexpr double BorderTexels = 2.0;
 
-constexpr int VectorsOfView = 10;
+/** Of what is turned either way a layer. */
+constexpr int Sides = 2;
+
+/** So many groups of casters get views of their own. */
+constexpr int MostGroups = 4;
+
+constexpr int VectorsOfView = 11;
 
 /** Variance of a disk along an axis, against that of the square around it: half side 0.866 R. */
 constexpr double VarianceOfDisk = 0.75;
@@ -51,6 +57,7 @@ bool vtkVirtualShadowViews::Update(vtkShadowFrame& frame, int side)
       options.Border = BorderTexels / side;
       options.Texel = 1.0 / side;
       options.Neighbours = true;
+      options.Groups = MostGroups;
       const vtkLightFrusta frusta(frame.Parts[i], *frame.Casters, options);
       const vtkShadowLight& light = frame.Parts[i].Light;
       part.Views = frusta.GetViews(light.IsDirectional() ? -light.Direction : light.Position);
@@ -58,7 +65,7 @@ bool vtkVirtualShadowViews::Update(vtkShadowFrame& frame, int side)
                       frusta.IsOverlapExceeded(*frame.Casters);
     }
     part.FirstLayer = layers;
-    layers += static_cast<int>(part.Views.size());
+    layers += Sides * static_cast<int>(part.Views.size());
     const bool kept = same && part.FirstLayer == this->Parts[i].FirstLayer &&
                       std::equal(part.Views.begin(), part.Views.end(), this->Parts[i].Views.begin(),
                         this->Parts[i].Views.end(), [](const auto& a, const auto& b)
@@ -106,19 +113,25 @@ void vtkVirtualShadowViews::Draw(vtkShadowFrame& frame, const Part& part)
     how.GeometryShader = vtkVirtualCoarseGS;
     how.FragmentShader = vtkVirtualCoarseFS;
     const auto side = static_cast<float>(this->Coarse.GetWidth());
-    how.SetParameters = [side](vtkShaderProgram* program)
-    { program->SetUniformf("shadowSide", side); };
+    float turn = 1.0f;
+    how.SetParameters = [side, &turn](vtkShaderProgram* program)
+    {
+      program->SetUniformf("shadowSide", side);
+      program->SetUniformf("shadowTurn", turn);
+    };
     vtkShadowFramebuffer::Scope target(
       frame.Window, this->Framebuffer, nullptr, &this->Coarse, part.FirstLayer);
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < Sides * count; ++i)
     {
       target.SetLayer(part.FirstLayer + i);
       const float farthest = 1.0f;
       glClearBufferfv(GL_DEPTH, 0, &farthest);
-      frame.Drawing->Draw(frame.Window, part.Views[i].SWCToClip, part.Views[i].Casters, how);
+      turn = i % Sides == 0 ? 1.0f : -1.0f;
+      const vtkLightView& view = part.Views[i / Sides];
+      frame.Drawing->Draw(frame.Window, view.SWCToClip, view.Casters, how);
     }
   }
-  this->Pyramid.Build(frame, this->Coarse, part.FirstLayer, count);
+  this->Pyramid.Build(frame, this->Coarse, part.FirstLayer, Sides * count);
 }
 
 //------------------------------------------------------------------------------
@@ -143,8 +156,25 @@ void vtkVirtualShadowViews::Deactivate(vtkShadowFrame& frame)
 }
 
 //------------------------------------------------------------------------------
+std::vector<vtkVirtualShadowViews::Turn> vtkVirtualShadowViews::GetTurns(int part) const
+{
+  const auto& views = this->Parts[part].Views;
+  const int count = static_cast<int>(views.size());
+  if (count < 2 || views.front().Face)
+  {
+    return { { 0, count } };
+  }
+  std::vector<Turn> turns;
+  for (int i = 0; i < count; ++i)
+  {
+    turns.push_back({ i, 1 });
+  }
+  return turns;
+}
+
+//------------------------------------------------------------------------------
 void vtkVirtualShadowViews::SetParameters(
-  vtkShaderProgram* program, const vtkShadowFrame& frame, int index)
+  vtkShaderProgram* program, const vtkShadowFrame& frame, int index, const Turn& range)
 {
   const Part& part = this->Parts[index];
   const vtkShadowLight& light = frame.Parts[index].Light;
@@ -155,10 +185,9 @@ void vtkVirtualShadowViews::SetParameters(
   const glm::dmat4 SWCToVC = frame.GetSWCToVC();
   const glm::dmat3 turn(SWCToVC);
   float vectors[VectorsOfView * Most][4] = {};
-  const int count = static_cast<int>(part.Views.size());
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < range.Count; ++i)
   {
-    const vtkLightView& view = part.Views[i];
+    const vtkLightView& view = part.Views[range.First + i];
     const auto set = [&vectors, i](int vector, const glm::dvec4& value)
     {
       for (int c = 0; c < 4; ++c)
@@ -185,13 +214,15 @@ void vtkVirtualShadowViews::SetParameters(
       glm::dvec4(glm::dot(light.U, x), glm::dot(light.U, y), glm::dot(light.V, x),
         glm::dot(light.V, y)) *
         glm::dvec4(scale, scale));
-    set(8, glm::dvec4(glm::dot(light.U, z), glm::dot(light.V, z), part.FirstLayer + i,
+    set(8, glm::dvec4(glm::dot(light.U, z), glm::dot(light.V, z), part.FirstLayer + Sides * (range.First + i),
              view.Face ? 1.0 : 0.0));
-    const bool cut = std::count(view.Cut.begin(), view.Cut.end(), true) > 0;
     const bool square = light.Kind == vtkShadowLight::Shape::Rectangle;
-    set(9, glm::dvec4(radius, square ? 1.0 : VarianceOfDisk, cut ? 1.0 : 0.0, 0.0));
+    set(9, glm::dvec4(radius, square ? 1.0 : VarianceOfDisk, 0.0, 0.0));
+    const auto& cut = view.Cut;
+    set(10, glm::dvec4(cut[0] ? 0.0 : -1e6, cut[1] ? 0.0 : -1e6, cut[2] ? 1.0 : 1e6,
+              cut[3] ? 1.0 : 1e6));
   }
-  program->SetUniformi("shadowViewCount", count);
+  program->SetUniformi("shadowViewCount", range.Count);
   program->SetUniform4fv("shadowViews", VectorsOfView * Most, vectors);
   program->SetUniformi("shadowCoarse", this->Coarse.GetUnit());
   this->Pyramid.SetParameters(program);

@@ -3,7 +3,8 @@
 // of each a coarse map, conservatively rasterized, that tells where blockers may be and how deep on average.
 // Kept while light and casters are unchanged; none of this depends on the camera.
 //
-//   coarse   DEPTH_COMPONENT32F  side^2, a layer each view: the least depth of what touches the texel
+//   coarse   DEPTH_COMPONENT32F  side^2, two layers each view, of triangles that are turned either way: the
+//                                least depth of what touches the texel. Of bodies they are the two sides
 //   pyramid                      see vtkShadowDepthPyramid
 
 #ifndef vtkVirtualShadowViews_h
@@ -31,6 +32,14 @@ public:
   /** Bring views and coarse maps up to date. False when out of memory. */
   bool Update(vtkShadowFrame& frame, int side);
 
+  /** Some of a part's views, of which at most one shows a receiver. */
+  struct Turn
+  {
+    int First = 0;
+    int Count = 0;
+  };
+  /** All faces of a cube at once; of views of groups of casters one after another. */
+  std::vector<Turn> GetTurns(int part) const;
   /** Of a part of a light, by its index. */
   const std::vector<vtkLightView>& GetViews(int part) const { return this->Parts[part].Views; }
   /** Some caster is nearer to a light among its casters than its cube's faces overlap for. */
@@ -39,7 +48,8 @@ public:
   ///@{ Around drawing; and the uniforms of vtkVirtualViewsFS.glsl.
   void Activate(vtkShadowFrame& frame);
   void Deactivate(vtkShadowFrame& frame);
-  void SetParameters(vtkShaderProgram* program, const vtkShadowFrame& frame, int part);
+  void SetParameters(
+    vtkShaderProgram* program, const vtkShadowFrame& frame, int part, const Turn& turn);
   ///@}
   /** GLSL of a receiver's place over the maps, and of the pyramid. */
   static std::string GetGLSL();

@@ -26,7 +26,7 @@
  * Parameters: metric (dynamic, static, none; default dynamic), antialias (default on), resolution (side
  * of a tile's map, 16 to 16384 texels, default 0: 512, with metric=none as the picture's), cache (default
  * on), budget (of pages, 1 to 16384 MB, default 256), coarse (side of the coarse maps, 32 to 4096 texels,
- * default 512).
+ * default 256).
  *
  * Statistics: "tiles", "tilesDrawn", "tilesKept", "tileTexels", "tileTrianglesDrawn", "pixelsFiltered",
  * "coarseMapsDrawn", "coarser" (1, or how many times coarser texels are than asked for).

@@ -59,7 +59,7 @@ void vtkVirtualSoftShadowMapTechnique::FindSide(vtkShadowFrame& frame)
 {
   const bool fixed = this->Settings.GetChoice("metric") == "none";
   this->Keeps = this->Settings.GetBoolean("cache");
-  const std::size_t budget = std::size_t(1048576) * this->Settings.GetInteger("budget");
+  const auto budget = static_cast<std::size_t>(1048576.0 * this->Settings.GetReal("budget"));
   const int asked = this->Settings.GetInteger("resolution");
   this->Side = frame.ChooseResolution(
     asked == 0 && !fixed ? AutomaticSide : asked, LeastSide, LeastFixedSide);
@@ -156,7 +156,7 @@ void vtkVirtualSoftShadowMapTechnique::SetTiles(vtkShaderProgram* program)
     return;
   }
   int first[vtkVirtualShadowViews::Most + 1] = {};
-  const int views = static_cast<int>(this->Views.GetViews(this->Part).size());
+  const int views = this->Turn.Count;
   for (int i = 0; i <= vtkVirtualShadowViews::Most; ++i)
   {
     first[i] = this->Tree.GetFirstNode(std::min(i, views));
@@ -169,7 +169,7 @@ void vtkVirtualSoftShadowMapTechnique::SetVisibilityParameters(vtkShaderProgram*
 {
   if (this->Frame)
   {
-    this->Views.SetParameters(program, *this->Frame, this->Part);
+    this->Views.SetParameters(program, *this->Frame, this->Part, this->Turn);
     program->SetUniformi("shadowKernels", this->Kernels.GetUnit());
     program->SetUniformi("shadowSums", this->Sums.GetUnit());
     program->SetUniformi("shadowRequests", this->Requests.GetUnit());
@@ -179,7 +179,7 @@ void vtkVirtualSoftShadowMapTechnique::SetVisibilityParameters(vtkShaderProgram*
 
 //------------------------------------------------------------------------------
 std::size_t vtkVirtualSoftShadowMapTechnique::FindKernels(
-  vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part)
+  vtkShadowFrame& frame, vtkVisibilityBuffer& buffer)
 {
   const std::string metric = this->Settings.GetChoice("metric");
   {
@@ -208,12 +208,12 @@ std::size_t vtkVirtualSoftShadowMapTechnique::FindKernels(
       [&](vtkShaderProgram* program)
       {
         program->SetUniformi("shadowReceivers", receivers.GetUnit());
-        program->SetUniformi("shadowLight", part);
+        program->SetUniformi("shadowLight", this->Part);
         program->SetUniform4f("shadowEyeVC", glm::value_ptr(eyeVC));
         program->SetUniform4f("shadowWRow", glm::value_ptr(wRow));
         program->SetUniform3fv("shadowPixelVC", 2, pixels);
         frame.SetLights(program);
-        this->Views.SetParameters(program, frame, part);
+        this->Views.SetParameters(program, frame, this->Part, this->Turn);
       });
     receivers.Deactivate(frame.Window);
   }
@@ -225,12 +225,12 @@ std::size_t vtkVirtualSoftShadowMapTechnique::FindKernels(
   {
     return this->Asked.Read(this->Texels);
   }
-  this->Tree.Start(static_cast<int>(this->Views.GetViews(part).size()));
+  this->Tree.Start(this->Turn.Count);
   return this->Tree.AddRequests(this->Texels);
 }
 
 //------------------------------------------------------------------------------
-bool vtkVirtualSoftShadowMapTechnique::FindTiles(vtkShadowFrame& frame, int part)
+bool vtkVirtualSoftShadowMapTechnique::FindTiles(vtkShadowFrame& frame)
 {
   this->Coarser = 0;
   if (this->Keeps)
@@ -244,7 +244,7 @@ bool vtkVirtualSoftShadowMapTechnique::FindTiles(vtkShadowFrame& frame, int part
     if (this->Coarser > 0)
     {
       frame.Messages->Warn("the pages that the picture asks for are more than the budget of " +
-                           std::to_string(this->Settings.GetInteger("budget")) +
+                           *this->Settings.Find("budget") +
                            " MB: shadows are coarser than they should be. A larger budget mends that.");
     }
   }
@@ -253,7 +253,11 @@ bool vtkVirtualSoftShadowMapTechnique::FindTiles(vtkShadowFrame& frame, int part
     this->Tree.Build({ this->Side, this->Settings.GetChoice("metric") == "none" });
     this->Tiles = this->Tree.GetTiles();
   }
-  if (!this->Pages.Place(frame, part, this->Tiles))
+  for (auto& tile : this->Tiles)
+  {
+    tile.View += this->Turn.First;
+  }
+  if (!this->Pages.Place(frame, this->Part, this->Tiles))
   {
     return false;
   }
@@ -273,10 +277,10 @@ bool vtkVirtualSoftShadowMapTechnique::FindTiles(vtkShadowFrame& frame, int part
 
 //------------------------------------------------------------------------------
 void vtkVirtualSoftShadowMapTechnique::Sum(
-  vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part)
+  vtkShadowFrame& frame, vtkVisibilityBuffer& buffer)
 {
   vtkOpenGLState* state = frame.Window->GetState();
-  const auto nodes = this->Keeps ? vtkVirtualShadowRequests::GetTable(this->Tiles)
+  const auto nodes = this->Keeps ? vtkVirtualShadowRequests::GetTable(this->Tiles, this->Turn.First)
                                  : this->Tree.GetNodes();
   this->TableSize = static_cast<int>(nodes.size());
   this->Nodes.UploadBuffer(frame.Window, nodes);
@@ -287,7 +291,7 @@ void vtkVirtualSoftShadowMapTechnique::Sum(
       this->GetTilesGLSL() + "#define SHADOW_MOST_TAPS " + std::to_string(MostTaps) + ".0\n");
   for (int batch = 0; batch < this->Pages.GetNumberOfBatches(); ++batch)
   {
-    this->Pages.Draw(frame, this->Views.GetViews(part), this->Tiles, batch);
+    this->Pages.Draw(frame, this->Views.GetViews(this->Part), this->Tiles, batch);
     vtkShadowTimers::Scope timer(*frame.Timers, "filter");
     vtkShadowFramebuffer::Scope target(
       frame.Window, this->Framebuffer, &this->Sums, nullptr, 0);
@@ -308,10 +312,10 @@ void vtkVirtualSoftShadowMapTechnique::Sum(
         program->SetUniformi("shadowReceivers", receivers.GetUnit());
         program->SetUniformi("shadowKernels", this->Kernels.GetUnit());
         program->SetUniformi("shadowTiles", this->Pages.GetTexture().GetUnit());
-        program->SetUniformi("shadowLight", part);
+        program->SetUniformi("shadowLight", this->Part);
         program->SetUniformi("shadowBatch", batch);
         frame.SetLights(program);
-        this->Views.SetParameters(program, frame, part);
+        this->Views.SetParameters(program, frame, this->Part, this->Turn);
         this->SetTiles(program);
       });
     for (vtkShadowTexture* texture :
@@ -344,30 +348,48 @@ void vtkVirtualSoftShadowMapTechnique::FillVisibility(
   for (int i = 0; i < static_cast<int>(frame.Parts.size()); ++i)
   {
     this->Part = i;
-    const std::size_t pixels = this->FindKernels(frame, buffer, i);
-    frame.Counts["pixelsFiltered"] += static_cast<double>(pixels);
-    if (!this->FindTiles(frame, i))
+    for (const auto& turn : this->Views.GetTurns(i))
     {
-      frame.Messages->Error("no memory for tiles; nothing is in shadow.");
-      this->Tiles.clear();
-      this->Tree.Start(static_cast<int>(this->Views.GetViews(i).size()));
-    }
-    this->Sum(frame, buffer, i);
-    for (vtkShadowTexture* texture : { &this->Kernels, &this->Requests, &this->Sums, &this->Nodes })
-    {
-      texture->Activate(frame.Window);
-    }
-    {
-      vtkShadowFramebuffer::Scope target(
-        frame.Window, buffer.GetFramebuffer(), &buffer.GetTarget(), nullptr, i);
-      this->DrawEvaluation(frame, buffer, i);
-    }
-    for (vtkShadowTexture* texture : { &this->Kernels, &this->Requests, &this->Sums, &this->Nodes })
-    {
-      texture->Deactivate(frame.Window);
+      this->Turn = turn;
+      this->FillPart(frame, buffer);
     }
   }
   this->Frame = nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkVirtualSoftShadowMapTechnique::FillPart(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer)
+{
+  frame.Counts["pixelsFiltered"] += static_cast<double>(this->FindKernels(frame, buffer));
+  if (!this->FindTiles(frame))
+  {
+    frame.Messages->Error("no memory for tiles; nothing is in shadow.");
+    this->Tiles.clear();
+    this->Tree.Start(this->Turn.Count);
+  }
+  this->Sum(frame, buffer);
+  const auto textures = { &this->Kernels, &this->Requests, &this->Sums, &this->Nodes };
+  for (vtkShadowTexture* texture : textures)
+  {
+    texture->Activate(frame.Window);
+  }
+  {
+    vtkOpenGLState* state = frame.Window->GetState();
+    vtkShadowFramebuffer::Scope target(
+      frame.Window, buffer.GetFramebuffer(), &buffer.GetTarget(), nullptr, this->Part);
+    if (this->Turn.First > 0)
+    {
+      // What one group of casters hides or another does.
+      state->vtkglEnable(GL_BLEND);
+      state->vtkglBlendEquation(buffer.GetQuantity().empty() ? GL_MIN : GL_MAX);
+    }
+    this->DrawEvaluation(frame, buffer, this->Part);
+    state->vtkglBlendEquation(GL_FUNC_ADD);
+  }
+  for (vtkShadowTexture* texture : textures)
+  {
+    texture->Deactivate(frame.Window);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -38,11 +38,12 @@ private:
   /** What differs between pixels' own pages and the tiles of kd-trees: see vtkVirtualTilesFS.glsl. */
   std::string GetTilesGLSL() const;
   void FindSide(vtkShadowFrame& frame);
-  /** Kernels and requests of a part of a light; gives how many pixels are to be filtered. */
-  std::size_t FindKernels(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part);
+  /** Kernels and requests of the part, in some of its views; gives how many pixels are to be filtered. */
+  std::size_t FindKernels(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer);
   /** The tiles, within the budget; false when out of memory. */
-  bool FindTiles(vtkShadowFrame& frame, int part);
-  void Sum(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part);
+  bool FindTiles(vtkShadowFrame& frame);
+  void Sum(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer);
+  void FillPart(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer);
   void SetTiles(vtkShaderProgram* program);
 
   vtkVirtualShadowViews Views;
@@ -55,7 +56,8 @@ private:
   int MostPages = 1;
   int Coarser = 0;     // halvings that pages go without
   int TableSize = 4;
-  int Part = 0;            // whose kernels and sums there are
+  int Part = 0;        // whose kernels and sums there are
+  vtkVirtualShadowViews::Turn Turn;
   vtkShadowFrame* Frame = nullptr; // while visibility is filled
   vtkShadowTexture Kernels;
   vtkShadowTexture Requests;

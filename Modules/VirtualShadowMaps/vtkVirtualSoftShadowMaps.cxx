@@ -42,17 +42,17 @@ vtkShadowDeclaration Declare()
     vtkShadowParameter::Boolean("cache", true,
       "Keep tiles as pages from frame to frame; off: the paper's own tiles, drawn anew in each "
       "frame and of just the size that is needed"),
-    vtkShadowParameter::Integer(
+    vtkShadowParameter::Real(
       "budget", 256, 1, 16384, "Most that pages take; where more are asked for, all get coarser")
       .In("MB"),
-    vtkShadowParameter::Integer("coarse", 512, 1, 4096,
+    vtkShadowParameter::Integer("coarse", 256, 1, 4096,
       "Side of the map in which blockers are searched, 32 at least (less counts as 32), rounded "
       "down to a power of two")
       .In("texels")
-      .At({ 256, 512, 512, 1024 }) };
+      .At({ 256, 256, 256, 1024 }) };
   t.DebugViews = { "tiles", "predicted-resolution", "kernel-size", "lit-mask", "cache-hits" };
   t.Resources = { "pages, 4 bytes a texel, resolution^2 each, within the budget; with cache=off one",
-    "coarse map and its pyramid, 15 bytes a texel, coarse^2 each light (up to six where the light is "
+    "coarse map and its pyramid, 30 bytes a texel, coarse^2 each light (up to six where the light is "
     "among the casters)",
     "receivers 16 bytes, depth 4 bytes, kernels, requests and sums 48 bytes, visibility 4 bytes a "
     "light, each a pixel" };

@@ -9,6 +9,7 @@ layout(triangles) in;
 layout(triangle_strip, max_vertices = 4) out;
 
 uniform float shadowSide; // of the map, in texels
+uniform float shadowTurn; // which way triangles are turned that are drawn: 1 or -1
 
 flat out vec3 shadowEdge0; // not negative where a texel's middle may be one that the triangle touches
 flat out vec3 shadowEdge1;
@@ -33,6 +34,12 @@ void main()
   shadowEdge0 = shadowEdge1 = shadowEdge2 = shadowPlane = vec3(0.0);
   shadowRange = vec2(1.0, 0.0);
   vec4 p[3] = vec4[3](gl_in[0].gl_Position, gl_in[1].gl_Position, gl_in[2].gl_Position);
+  // The sign of the area in the picture, also of what reaches behind the light.
+  float turn = dot(p[0].xyw, cross(p[1].xyw, p[2].xyw));
+  if ((turn < 0.0 ? -1.0 : 1.0) != shadowTurn)
+  {
+    return;
+  }
   if (min(p[0].w, min(p[1].w, p[2].w)) <= 0.0)
   {
     for (int i = 0; i < 3; ++i)

@@ -35,6 +35,19 @@ float shadowTexels(float pixels)
 #endif
 }
 
+// Depth of the nearest blocker in a cell, and of the nearest of those that are turned the other way.
+vec2 shadowFetchSides(ivec2 cell, int layer, int level)
+{
+  vec2 depths;
+  for (int side = 0; side < 2; ++side)
+  {
+    ivec3 texel = ivec3(cell, layer + side);
+    depths[side] = level == 0 ? texelFetch(shadowCoarse, texel, 0).r
+      : texelFetch(shadowPyramid, texel, level - 1).r;
+  }
+  return vec2(min(depths.x, depths.y), max(depths.x, depths.y));
+}
+
 // Half a pixel's axes over the map, through the receiver's plane.
 mat2 shadowFindFootprint(int view, vec3 positionVC, vec3 normalVC, shadowPlace place)
 {
@@ -55,8 +68,8 @@ mat2 shadowFindFootprint(int view, vec3 positionVC, vec3 normalVC, shadowPlace p
   return footprint;
 }
 
-// Mean difference of depth to the blockers that are clear of the receiver's own plane; 0 without any: then
-// what hides the light touches the receiver.
+// Mean difference of depth to the blockers. What is hardly above the receiver's own plane, by the size of a
+// cell, may be the receiver itself: it counts where there is nothing else.
 float shadowFindMean(int view, shadowPlace place, bool square, vec2 footprint, vec2 extent)
 {
   float side = float(shadowPyramidResolution);
@@ -70,7 +83,7 @@ float shadowFindMean(int view, shadowPlace place, bool square, vec2 footprint, v
   high /= cell;
   vec2 cellLC = vec2(cell / side);
   vec2 unit = shadowExtent(place, square, 1.0);
-  float clear = dot(abs(place.slopeLC), 0.5 * (cellLC + 1.0 / side)) + 1e-6;
+  float unclear = dot(abs(place.slopeLC), 0.5 * (cellLC + 1.0 / side)) + 1e-6;
   int layer = int(SHADOW_VIEW(view, 8).z);
   float sum = 0.0;
   float count = 0.0;
@@ -80,15 +93,17 @@ float shadowFindMean(int view, shadowPlace place, bool square, vec2 footprint, v
     {
       vec2 first = max(vec2(x, y), low);
       vec2 end = min(vec2(x, y) + 1.0, high);
-      ivec3 texel = ivec3(x, y, layer);
-      float depth = level == 0 ? texelFetch(shadowCoarse, texel, 0).r
-        : texelFetch(shadowPyramid, texel, level - 1).r;
+      vec2 depths = shadowFetchSides(ivec2(x, y), layer, level);
       vec2 offset = 0.5 * (first + end) * cellLC - place.placeLC.xy;
-      float nearer = place.placeLC.z - depth;
-      float reference = place.placeLC.z + min(dot(place.slopeLC, offset), 0.0) - clear;
-      bool blocks = depth < min(reference, 1.0) && // behind the far plane all casters are in front
+      float reference = place.placeLC.z + min(dot(place.slopeLC, offset), 0.0);
+      float above = reference - depths.x;
+      // The middle between the two sides of a body, where both are in front.
+      float middle = depths.y < min(reference - unclear, 1.0) ? 0.5 * (depths.x + depths.y) : depths.x;
+      float nearer = place.placeLC.z - middle;
+      bool blocks = depths.x < min(reference, 1.0) && // behind the far plane all casters are in front
         all(lessThanEqual(abs(offset) - 0.5 * cellLC, nearer * unit + footprint));
-      float weight = blocks ? (end.x - first.x) * (end.y - first.y) : 0.0;
+      float sure = clamp(above / unclear - 1.0, 1e-3, 1.0);
+      float weight = blocks ? sure * (end.x - first.x) * (end.y - first.y) : 0.0;
       count += weight;
       sum += weight * nearer;
     }
@@ -142,8 +157,10 @@ void main()
   for (int i = 0; i < 2; ++i)
   {
     extent = shadowExtent(place, square, delta) + footprint;
+    vec2 low = place.placeLC.xy - extent;
+    vec2 high = place.placeLC.xy + extent;
     float nearest =
-      shadowDepthRange(layer, place.placeLC.xy - extent, place.placeLC.xy + extent).x;
+      min(shadowDepthRange(layer, low, high).x, shadowDepthRange(layer + 1.0, low, high).x);
     delta = clamp(place.placeLC.z - nearest, 0.0, delta);
     if (nearest >= min(place.placeLC.z, 1.0))
     {
@@ -167,7 +184,7 @@ void main()
   // What the light grazes is hardly lit: its pixels are at most so narrow over the map.
   float w = abs(dot(shadowWRow, vec4(receiverVC.xyz, 1.0)));
   float facing = 0.5 * w * min(length(shadowPixelVC[0]), length(shadowPixelVC[1])) / place.w;
-  texel = max(texel, 0.25 * facing / SHADOW_VIEW(view, 6).yz);
+  texel = max(texel, facing / SHADOW_VIEW(view, 6).yz);
 #ifndef SHADOW_ANTIALIAS
   filtered = shadowDecompose(soft);
   filtered.xz = max(filtered.xz, 1e-3 * texel); // a box of no size has no weight

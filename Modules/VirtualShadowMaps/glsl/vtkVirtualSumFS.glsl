@@ -34,7 +34,8 @@ void shadowAddTile(vec4 rectangleLC, vec4 where, int layer, shadowPlace place, v
   float first = max(centre.x - extent.x, 0.0);
   float end = min(centre.x + extent.x, size.x);
   vec2 stride = max(ceil(2.0 * extent / shadowMostTaps), 1.0);
-  float bias = dot(abs(place.slopeLC), texelLC) / 32.0;
+  // A texel's middle is on the receiver's plane; half a texel is for folds of the surface.
+  float bias = 0.5 * dot(abs(place.slopeLC), texelLC);
   float area = texelLC.x * texelLC.y;
   for (float x = floor(first / stride.x) * stride.x; x < end; x += stride.x)
   {

@@ -14,9 +14,10 @@
 // unit vectors, w: x and y of the light's place; 6: depth times distance, lengths of the window's sides at
 // distance 1, z of the place; 7: the light's half axes over the map for one unit of depth, straight along
 // the view; 8: their lengths along the view's axis, layer of the coarse map, face of a cube; 9: radius of a
-// sphere, variance of the light's shape against that of its bounding square, a border that is cut.
+// sphere, variance of the light's shape against that of its bounding square; 10: low x, y, high x, y where
+// the map is cut and casters go on.
 
-#define SHADOW_VIEW_VECTORS 10
+#define SHADOW_VIEW_VECTORS 11
 const int shadowMostViews = 6;
 uniform vec4 shadowViews[SHADOW_VIEW_VECTORS * shadowMostViews];
 uniform int shadowViewCount;

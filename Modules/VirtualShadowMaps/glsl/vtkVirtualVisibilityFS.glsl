@@ -69,10 +69,15 @@ SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionVC, vec3 normalVC)
   float visibility = above;
   if (sums.z > 0.0)
   {
-    // What of the kernel lies beside the map is lit, but where the map is cut.
+    // What of the kernel lies beside the map is lit, but where the map is cut: there it is drawn in.
     int view = shadowGetView(kernel.w);
-    float beside = SHADOW_VIEW(view, 9).z > 0.5 ? 0.0 : 4.0 * kernel.x * kernel.z - sums.z;
-    beside = beside > 1e-4 * sums.z ? beside : 0.0;
+    shadowPlace place;
+    shadowFindPlace(view, positionVC, normalVC, place);
+    vec4 bounds = SHADOW_VIEW(view, 10);
+    vec2 inside = max(min(place.placeLC.xy + kernel.xz, bounds.zw) -
+      max(place.placeLC.xy - kernel.xz, bounds.xy), 0.0);
+    float beside = inside.x * inside.y - sums.z;
+    beside = beside > 1e-3 * sums.z ? beside : 0.0;
     float all = sums.y + beside;
     visibility *= all > 0.0 ? clamp(1.0 - sums.x / all, 0.0, 1.0) : 1.0;
   }
