@@ -36,7 +36,7 @@ glm::dmat4 GetTileOfClip(const vtkVirtualShadowTile& tile)
 }
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 bool vtkVirtualShadowPages::Seen::operator<(const Seen& other) const
 {
   if (this->Mesh != other.Mesh)
@@ -48,7 +48,7 @@ bool vtkVirtualShadowPages::Seen::operator<(const Seen& other) const
   return std::lexicographical_compare(a, a + 16, b, b + 16);
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 int vtkVirtualShadowPages::SetLimits(int side, std::size_t bytes, bool kept)
 {
   int layers = 256;
@@ -66,7 +66,7 @@ int vtkVirtualShadowPages::SetLimits(int side, std::size_t bytes, bool kept)
   return most;
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 void vtkVirtualShadowPages::DropAll()
 {
   this->Pages.clear();
@@ -77,7 +77,7 @@ void vtkVirtualShadowPages::DropAll()
   }
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 void vtkVirtualShadowPages::Follow(
   vtkShadowFrame& frame, int part, const std::vector<vtkLightView>& views)
 {
@@ -98,8 +98,8 @@ void vtkVirtualShadowPages::Follow(
     {
       const auto from = this->Pages.lower_bound(Key{ part, i, 0, 0, 0, 0 });
       const auto to = this->Pages.lower_bound(Key{ part, i + 1, 0, 0, 0, 0 });
-      std::for_each(from, to, [this](const auto& page)
-        { this->FreeSlots.push_back(page.second.Slot); });
+      std::for_each(
+        from, to, [this](const auto& page) { this->FreeSlots.push_back(page.second.Slot); });
       this->Pages.erase(from, to);
     }
     else
@@ -115,7 +115,8 @@ void vtkVirtualShadowPages::Follow(
     last = std::move(now);
   }
   // Views that the part no longer has.
-  const auto from = this->Pages.lower_bound(Key{ part, static_cast<int>(views.size()), 0, 0, 0, 0 });
+  const auto from =
+    this->Pages.lower_bound(Key{ part, static_cast<int>(views.size()), 0, 0, 0, 0 });
   const auto to = this->Pages.lower_bound(Key{ part + 1, 0, 0, 0, 0, 0 });
   std::for_each(
     from, to, [this](const auto& page) { this->FreeSlots.push_back(page.second.Slot); });
@@ -124,7 +125,7 @@ void vtkVirtualShadowPages::Follow(
     this->Views.lower_bound({ part + 1, 0 }));
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 void vtkVirtualShadowPages::FollowEnd(int part)
 {
   const auto from = this->Pages.lower_bound(Key{ part, 0, 0, 0, 0, 0 });
@@ -134,9 +135,8 @@ void vtkVirtualShadowPages::FollowEnd(int part)
   this->Views.erase(this->Views.lower_bound({ part, 0 }), this->Views.end());
 }
 
-//------------------------------------------------------------------------------
-void vtkVirtualShadowPages::Drop(
-  int part, int view, const glm::dmat4& SWCToClip, const Seen& seen)
+// ------------------------------------------------------------------------------
+void vtkVirtualShadowPages::Drop(int part, int view, const glm::dmat4& SWCToClip, const Seen& seen)
 {
   glm::dvec2 low(1.0);
   glm::dvec2 high(0.0);
@@ -178,7 +178,7 @@ void vtkVirtualShadowPages::Drop(
   }
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 bool vtkVirtualShadowPages::Allocate(vtkShadowFrame& frame, int slots)
 {
   const auto least = static_cast<int>(LeastBytes / (std::size_t(4) * this->Side * this->Side));
@@ -198,7 +198,7 @@ bool vtkVirtualShadowPages::Allocate(vtkShadowFrame& frame, int slots)
   return made;
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 bool vtkVirtualShadowPages::Place(
   vtkShadowFrame& frame, int part, std::vector<vtkVirtualShadowTile>& tiles)
 {
@@ -207,12 +207,11 @@ bool vtkVirtualShadowPages::Place(
   return this->Kept ? this->PlacePages(frame, part, tiles) : this->PlaceInTurn(frame, tiles);
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 bool vtkVirtualShadowPages::PlacePages(
   vtkShadowFrame& frame, int part, std::vector<vtkVirtualShadowTile>& tiles)
 {
-  const auto getKey = [part](const vtkVirtualShadowTile& tile)
-  {
+  const auto getKey = [part](const vtkVirtualShadowTile& tile) {
     return Key{ part, tile.View, tile.Place[0], tile.Place[1], tile.Place[2], tile.Place[3] };
   };
   std::size_t missing = 0;
@@ -270,7 +269,7 @@ bool vtkVirtualShadowPages::PlacePages(
   return true;
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 bool vtkVirtualShadowPages::PlaceInTurn(
   vtkShadowFrame& frame, std::vector<vtkVirtualShadowTile>& tiles)
 {
@@ -313,7 +312,7 @@ bool vtkVirtualShadowPages::PlaceInTurn(
   return true;
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 void vtkVirtualShadowPages::Draw(vtkShadowFrame& frame, const std::vector<vtkLightView>& views,
   const std::vector<vtkVirtualShadowTile>& tiles, int batch)
 {
@@ -347,7 +346,7 @@ void vtkVirtualShadowPages::Draw(vtkShadowFrame& frame, const std::vector<vtkLig
     static_cast<double>(frame.Drawing->GetDrawnTriangles() - before);
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 void vtkVirtualShadowPages::Release(vtkOpenGLRenderWindow* window)
 {
   this->Tiles.Release(window);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the maps of tiles lie: pages that are kept from frame to frame, or one tile of the limit's size that
-// is filled, looked up and filled again.
+// Where the maps of tiles lie: pages that are kept from frame to frame, or one tile of the limit's
+// size that is filled, looked up and filled again.
 //
 //   tiles  DEPTH_COMPONENT32F  side^2, a layer each page: as many as are needed, within a budget
 //
-// A page is known by the tile's place in its view. It is dropped where a caster came, went or moved over
-// it, and the one that was not used for longest where another needs its place. What is kept is bit by bit
-// what would be drawn anew, since a tile's place alone decides what it shows.
+// A page is known by the tile's place in its view. It is dropped where a caster came, went or moved
+// over it, and the one that was not used for longest where another needs its place. What is kept is
+// bit by bit what would be drawn anew, since a tile's place alone decides what it shows.
 
 #ifndef vtkVirtualShadowPages_h
 #define vtkVirtualShadowPages_h
@@ -29,7 +29,7 @@ struct vtkShadowFrame;
 class VTKSOFTSHADOWSVIRTUALSHADOWMAPS_EXPORT vtkVirtualShadowPages
 {
 public:
-  /** Pages of side^2 texels within a budget; or, not kept, one tile. Gives how many pages there may be. */
+  /** Pages of side^2 texels within a budget; or, not kept, one tile. Gives how many at most. */
   int SetLimits(int side, std::size_t bytes, bool kept);
   /** Drop what a part of a light shows otherwise than in the last frame. */
   void Follow(vtkShadowFrame& frame, int part, const std::vector<vtkLightView>& views);
@@ -37,8 +37,8 @@ public:
   void FollowEnd(int part);
 
   /**
-   * Give each tile of a part its place. Tiles that are not kept, and all of those that do not fit at once,
-   * come in batches, which are to be drawn one after another. False when out of memory.
+   * Give each tile of a part its place. Tiles that are not kept, and all of those that do not fit
+   * at once, come in batches, which are to be drawn one after another. False when out of memory.
    */
   bool Place(vtkShadowFrame& frame, int part, std::vector<vtkVirtualShadowTile>& tiles);
   int GetNumberOfBatches() const { return this->Batches; }
@@ -79,7 +79,7 @@ private:
   bool PlaceInTurn(vtkShadowFrame& frame, std::vector<vtkVirtualShadowTile>& tiles);
 
   int Side = 0;
-  int Most = 1;   // pages
+  int Most = 1; // pages
   bool Kept = true;
   int Batches = 1;
   unsigned long Time = 0;

@@ -16,7 +16,7 @@ std::uint32_t Hash(std::uint32_t number, std::uint32_t code)
 }
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 std::size_t vtkVirtualShadowRequests::Read(const std::vector<glm::vec4>& requests)
 {
   this->Pages.clear();
@@ -48,7 +48,7 @@ std::size_t vtkVirtualShadowRequests::Read(const std::vector<glm::vec4>& request
   return count;
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 std::vector<vtkVirtualShadowTile> vtkVirtualShadowRequests::GetTiles(int side, int coarser) const
 {
   std::vector<std::array<int, 5>> places;
@@ -79,7 +79,7 @@ std::vector<vtkVirtualShadowTile> vtkVirtualShadowRequests::GetTiles(int side, i
   return tiles;
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 std::vector<glm::vec4> vtkVirtualShadowRequests::GetTable(
   const std::vector<vtkVirtualShadowTile>& tiles, int firstView)
 {
@@ -93,8 +93,8 @@ std::vector<glm::vec4> vtkVirtualShadowRequests::GetTable(
   {
     const auto& place = tile.Place;
     const auto number = static_cast<std::uint32_t>(place[2] + Numbers * place[3]);
-    const auto code = static_cast<std::uint32_t>(
-      tile.View - firstView + 1 + 8 * place[0] + 256 * place[1]);
+    const auto code =
+      static_cast<std::uint32_t>(tile.View - firstView + 1 + 8 * place[0] + 256 * place[1]);
     std::size_t slot = Hash(number, code) & (size - 1);
     while (table[slot].y != 0.0f)
     {

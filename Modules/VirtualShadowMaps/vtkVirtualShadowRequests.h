@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pages of virtual maps that pixels ask for, each on the level that its own kernel needs: exact page
-// requests, after Lefohn, Sengupta and Owens, Resolution-matched shadow maps, 2007. What a pixel sees then
-// does not depend on what others ask for.
+// The pages of virtual maps that pixels ask for, each on the level that its own kernel needs: exact
+// page requests, after Lefohn, Sengupta and Owens, Resolution-matched shadow maps, 2007. What a
+// pixel sees then does not depend on what others ask for.
 //
-//   table  RGBA32F buffer  pages by open addressing: number, 1 + view and level, layer, whether it was kept
+//   table  RGBA32F buffer  pages by open addressing: number, 1 + view and level, layer,
+//                         whether it was kept
 
 #ifndef vtkVirtualShadowRequests_h
 #define vtkVirtualShadowRequests_h

@@ -19,12 +19,13 @@ struct vtkVirtualShadowTile
   glm::dvec2 High{ 1.0 };
   glm::ivec2 Size{ 0 }; // texels
 
-  ///@{ Set by whoever draws it: where its map lies, in which turn it is there, and whether it was kept.
+  // /@{ Set by whoever draws it: where its map lies, in which turn it is there, and whether it was
+  // kept.
   int Batch = 0;
   int Layer = 0;
   glm::ivec2 Corner{ 0 };
   bool Kept = false;
-  ///@}
+  // /@}
 
   vtkVirtualShadowTile() = default;
   vtkVirtualShadowTile(int view, const std::array<int, 4>& place, int side)

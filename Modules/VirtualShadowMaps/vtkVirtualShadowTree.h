@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which tiles of the virtual maps of a light are needed, and how fine: what pixels ask for is scattered by
-// minimum over all cells of a grid that their kernels cover; a kd-tree over the grid ends where a map of the
-// tile limit is as fine as any cell of it asks. Shen and others 2011, section 5.2, steps 4 to 6; Giegl and
-// Wimmer, Fitted virtual shadow maps, 2007.
+// Which tiles of the virtual maps of a light are needed, and how fine: what pixels ask for is
+// scattered by minimum over all cells of a grid that their kernels cover; a kd-tree over the grid
+// ends where a map of the tile limit is as fine as any cell of it asks. Shen and others 2011,
+// section 5.2, steps 4 to 6; Giegl and Wimmer, Fitted virtual shadow maps, 2007.
 //
 // It asks for texel sizes, not for resolutions: cells that nobody asks for are infinitely coarse.
 
@@ -44,8 +44,8 @@ public:
   std::vector<vtkVirtualShadowTile>& GetTiles() { return this->Tiles; }
 
   /**
-   * The trees' nodes in the order of a walk, three vectors each: rectangle; next node beside it, kind (0
-   * inner, 1 empty, 2 tile), layer, batch; corner and size in texels.
+   * The trees' nodes in the order of a walk, three vectors each: rectangle; next node beside it,
+   * kind (0 inner, 1 empty, 2 tile), layer, batch; corner and size in texels.
    */
   std::vector<glm::vec4> GetNodes() const;
   /** Of a view; of the number of views, the end. */

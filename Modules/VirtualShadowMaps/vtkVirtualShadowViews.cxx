@@ -36,7 +36,7 @@ constexpr int VectorsOfView = 11;
 constexpr double VarianceOfDisk = 0.75;
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 bool vtkVirtualShadowViews::Update(vtkShadowFrame& frame, int side)
 {
   this->Changes.Update(frame, this->Coarse.GetWidth() != side && this->Coarse.GetWidth() > 1);
@@ -61,22 +61,23 @@ bool vtkVirtualShadowViews::Update(vtkShadowFrame& frame, int side)
       const vtkLightFrusta frusta(frame.Parts[i], *frame.Casters, options);
       const vtkShadowLight& light = frame.Parts[i].Light;
       part.Views = frusta.GetViews(light.IsDirectional() ? -light.Direction : light.Position);
-      part.Exceeded = !part.Views.empty() && part.Views.front().Face &&
-                      frusta.IsOverlapExceeded(*frame.Casters);
+      part.Exceeded =
+        !part.Views.empty() && part.Views.front().Face && frusta.IsOverlapExceeded(*frame.Casters);
     }
     part.FirstLayer = layers;
     layers += Sides * static_cast<int>(part.Views.size());
     const bool kept = same && part.FirstLayer == this->Parts[i].FirstLayer &&
                       std::equal(part.Views.begin(), part.Views.end(), this->Parts[i].Views.begin(),
-                        this->Parts[i].Views.end(), [](const auto& a, const auto& b)
+                        this->Parts[i].Views.end(),
+                        [](const auto& a, const auto& b)
                         { return a.SWCToClip == b.SWCToClip && a.Casters == b.Casters; });
     changed.push_back(!kept);
     parts.push_back(std::move(part));
   }
   this->Parts = std::move(parts);
   const unsigned long before = this->Coarse.GetGeneration();
-  if (!this->Coarse.Allocate(frame.Window, vtkShadowTexture::Format::Depth,
-        layers > 0 ? side : 1, layers > 0 ? side : 1, std::max(1, layers)) ||
+  if (!this->Coarse.Allocate(frame.Window, vtkShadowTexture::Format::Depth, layers > 0 ? side : 1,
+        layers > 0 ? side : 1, std::max(1, layers)) ||
       !this->Pyramid.Allocate(frame.Window, this->Coarse))
   {
     this->Release(frame.Window);
@@ -94,7 +95,7 @@ bool vtkVirtualShadowViews::Update(vtkShadowFrame& frame, int side)
   return true;
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 void vtkVirtualShadowViews::Draw(vtkShadowFrame& frame, const Part& part)
 {
   const int count = static_cast<int>(part.Views.size());
@@ -134,28 +135,28 @@ void vtkVirtualShadowViews::Draw(vtkShadowFrame& frame, const Part& part)
   this->Pyramid.Build(frame, this->Coarse, part.FirstLayer, Sides * count);
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 bool vtkVirtualShadowViews::IsOverlapExceeded() const
 {
   return std::any_of(
     this->Parts.begin(), this->Parts.end(), [](const Part& part) { return part.Exceeded; });
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 void vtkVirtualShadowViews::Activate(vtkShadowFrame& frame)
 {
   this->Coarse.Activate(frame.Window);
   this->Pyramid.Activate(frame.Window);
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 void vtkVirtualShadowViews::Deactivate(vtkShadowFrame& frame)
 {
   this->Pyramid.Deactivate(frame.Window);
   this->Coarse.Deactivate(frame.Window);
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 std::vector<vtkVirtualShadowViews::Turn> vtkVirtualShadowViews::GetTurns(int part) const
 {
   const auto& views = this->Parts[part].Views;
@@ -172,7 +173,7 @@ std::vector<vtkVirtualShadowViews::Turn> vtkVirtualShadowViews::GetTurns(int par
   return turns;
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 void vtkVirtualShadowViews::SetParameters(
   vtkShaderProgram* program, const vtkShadowFrame& frame, int index, const Turn& range)
 {
@@ -210,17 +211,16 @@ void vtkVirtualShadowViews::SetParameters(
     set(5, glm::dvec4(turn * y, place.y));
     set(6, glm::dvec4(view.DepthScale, window, place.z));
     const glm::dvec2 scale = 1.0 / (window * view.DepthScale);
-    set(7,
-      glm::dvec4(glm::dot(light.U, x), glm::dot(light.U, y), glm::dot(light.V, x),
-        glm::dot(light.V, y)) *
-        glm::dvec4(scale, scale));
-    set(8, glm::dvec4(glm::dot(light.U, z), glm::dot(light.V, z), part.FirstLayer + Sides * (range.First + i),
-             view.Face ? 1.0 : 0.0));
+    set(7, glm::dvec4(glm::dot(light.U, x), glm::dot(light.U, y), glm::dot(light.V, x),
+             glm::dot(light.V, y)) *
+             glm::dvec4(scale, scale));
+    set(8, glm::dvec4(glm::dot(light.U, z), glm::dot(light.V, z),
+             part.FirstLayer + Sides * (range.First + i), view.Face ? 1.0 : 0.0));
     const bool square = light.Kind == vtkShadowLight::Shape::Rectangle;
     set(9, glm::dvec4(radius, square ? 1.0 : VarianceOfDisk, 0.0, 0.0));
     const auto& cut = view.Cut;
-    set(10, glm::dvec4(cut[0] ? 0.0 : -1e6, cut[1] ? 0.0 : -1e6, cut[2] ? 1.0 : 1e6,
-              cut[3] ? 1.0 : 1e6));
+    set(10,
+      glm::dvec4(cut[0] ? 0.0 : -1e6, cut[1] ? 0.0 : -1e6, cut[2] ? 1.0 : 1e6, cut[3] ? 1.0 : 1e6));
   }
   program->SetUniformi("shadowViewCount", range.Count);
   program->SetUniform4fv("shadowViews", VectorsOfView * Most, vectors);
@@ -228,13 +228,13 @@ void vtkVirtualShadowViews::SetParameters(
   this->Pyramid.SetParameters(program);
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 std::string vtkVirtualShadowViews::GetGLSL()
 {
   return vtkShadowDepthPyramid::GetGLSL() + vtkVirtualViewsFS;
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 void vtkVirtualShadowViews::Release(vtkOpenGLRenderWindow* window)
 {
   this->Coarse.Release(window);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The virtual maps of all parts of lights: one view each, or up to six of a light among its casters; and
-// of each a coarse map, conservatively rasterized, that tells where blockers may be and how deep on average.
-// Kept while light and casters are unchanged; none of this depends on the camera.
+// The virtual maps of all parts of lights: one view each, or up to six of a light among its
+// casters; and of each a coarse map, conservatively rasterized, that tells where blockers may be
+// and how deep on average. Kept while light and casters are unchanged; none of this depends on the
+// camera.
 //
-//   coarse   DEPTH_COMPONENT32F  side^2, two layers each view, of triangles that are turned either way: the
-//                                least depth of what touches the texel. Of bodies they are the two sides
+//   coarse   DEPTH_COMPONENT32F  side^2, two layers each view, of triangles that are turned either
+//                                way, the two sides of bodies: the least depth of what touches
+//                                the texel
 //   pyramid                      see vtkShadowDepthPyramid
 
 #ifndef vtkVirtualShadowViews_h
@@ -45,12 +47,12 @@ public:
   /** Some caster is nearer to a light among its casters than its cube's faces overlap for. */
   bool IsOverlapExceeded() const;
 
-  ///@{ Around drawing; and the uniforms of vtkVirtualViewsFS.glsl.
+  // /@{ Around drawing; and the uniforms of vtkVirtualViewsFS.glsl.
   void Activate(vtkShadowFrame& frame);
   void Deactivate(vtkShadowFrame& frame);
   void SetParameters(
     vtkShaderProgram* program, const vtkShadowFrame& frame, int part, const Turn& turn);
-  ///@}
+  // /@}
   /** GLSL of a receiver's place over the maps, and of the pyramid. */
   static std::string GetGLSL();
 

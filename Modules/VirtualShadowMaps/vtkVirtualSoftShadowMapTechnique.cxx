@@ -46,7 +46,7 @@ int FloorToPowerOfTwo(int value)
 }
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 std::string vtkVirtualSoftShadowMapTechnique::FindUnsupported(vtkOpenGLRenderWindow*)
 {
   return VTK_SHADOW_HAS_GL(VERSION_3_3) || VTK_SHADOW_HAS_GL(ARB_sampler_objects)
@@ -54,15 +54,15 @@ std::string vtkVirtualSoftShadowMapTechnique::FindUnsupported(vtkOpenGLRenderWin
            : "OpenGL 3.3 is needed, or ARB_sampler_objects";
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 void vtkVirtualSoftShadowMapTechnique::FindSide(vtkShadowFrame& frame)
 {
   const bool fixed = this->Settings.GetChoice("metric") == "none";
   this->Keeps = this->Settings.GetBoolean("cache");
   const auto budget = static_cast<std::size_t>(1048576.0 * this->Settings.GetReal("budget"));
   const int asked = this->Settings.GetInteger("resolution");
-  this->Side = frame.ChooseResolution(
-    asked == 0 && !fixed ? AutomaticSide : asked, LeastSide, LeastFixedSide);
+  this->Side =
+    frame.ChooseResolution(asked == 0 && !fixed ? AutomaticSide : asked, LeastSide, LeastFixedSide);
   if (this->Keeps && !fixed)
   {
     // A page of a power of two, and within the budget.
@@ -75,7 +75,7 @@ void vtkVirtualSoftShadowMapTechnique::FindSide(vtkShadowFrame& frame)
   this->MostPages = this->Pages.SetLimits(this->Side, budget, this->Keeps);
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 bool vtkVirtualSoftShadowMapTechnique::UpdateLightData(vtkShadowFrame& frame)
 {
   int largest = 1024;
@@ -101,8 +101,8 @@ bool vtkVirtualSoftShadowMapTechnique::UpdateLightData(vtkShadowFrame& frame)
     this->Pages.Follow(frame, i, this->Views.GetViews(i));
   }
   this->Pages.FollowEnd(parts);
-  for (const char* name : { "tiles", "tilesDrawn", "tilesKept", "tileTexels", "tileTrianglesDrawn",
-         "pixelsFiltered" })
+  for (const char* name :
+    { "tiles", "tilesDrawn", "tilesKept", "tileTexels", "tileTrianglesDrawn", "pixelsFiltered" })
   {
     frame.Counts[name] = 0.0;
   }
@@ -110,34 +110,33 @@ bool vtkVirtualSoftShadowMapTechnique::UpdateLightData(vtkShadowFrame& frame)
   return true;
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 std::string vtkVirtualSoftShadowMapTechnique::GetTilesGLSL() const
 {
   const int log2 = static_cast<int>(std::ceil(std::log2(this->Side)));
-  const int halvings =
-    std::clamp(MostHalvings - log2, 0, vtkVirtualShadowRequests::MostHalvings);
+  const int halvings = std::clamp(MostHalvings - log2, 0, vtkVirtualShadowRequests::MostHalvings);
   return (this->Keeps ? "#define SHADOW_PAGES\n" : "") + std::string("#define SHADOW_PAGE_SIDE ") +
          std::to_string(this->Side) + ".0\n#define SHADOW_MOST_HALVINGS " +
          std::to_string(halvings) + ".0\n" + vtkVirtualTilesFS;
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 std::string vtkVirtualSoftShadowMapTechnique::GetVisibilityGLSL()
 {
   return vtkVirtualShadowViews::GetGLSL() + this->GetTilesGLSL() + vtkVirtualVisibilityFS;
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 void vtkVirtualSoftShadowMapTechnique::Activate(vtkShadowFrame& frame)
 {
   this->Views.Activate(frame);
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 void vtkVirtualSoftShadowMapTechnique::Deactivate(vtkShadowFrame& frame)
 {
-  for (vtkShadowTexture* texture : { &this->Kernels, &this->Requests, &this->Sums, &this->Nodes,
-         &this->Pages.GetTexture() })
+  for (vtkShadowTexture* texture :
+    { &this->Kernels, &this->Requests, &this->Sums, &this->Nodes, &this->Pages.GetTexture() })
   {
     texture->Deactivate(frame.Window);
   }
@@ -145,7 +144,7 @@ void vtkVirtualSoftShadowMapTechnique::Deactivate(vtkShadowFrame& frame)
   this->Frame = nullptr;
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 void vtkVirtualSoftShadowMapTechnique::SetTiles(vtkShaderProgram* program)
 {
   program->SetUniformi("shadowNodes", this->Nodes.GetUnit());
@@ -164,7 +163,7 @@ void vtkVirtualSoftShadowMapTechnique::SetTiles(vtkShaderProgram* program)
   program->SetUniform1iv("shadowFirstNode", vtkVirtualShadowViews::Most + 1, first);
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 void vtkVirtualSoftShadowMapTechnique::SetVisibilityParameters(vtkShaderProgram* program)
 {
   if (this->Frame)
@@ -177,7 +176,7 @@ void vtkVirtualSoftShadowMapTechnique::SetVisibilityParameters(vtkShaderProgram*
   }
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 std::size_t vtkVirtualSoftShadowMapTechnique::FindKernels(
   vtkShadowFrame& frame, vtkVisibilityBuffer& buffer)
 {
@@ -196,7 +195,8 @@ std::size_t vtkVirtualSoftShadowMapTechnique::FindKernels(
     vtkShaderProgram::Substitute(source, "//SHADOW::Declarations",
       frame.GetLightsGLSL() + vtkShadowReceivers::GetGLSL() + vtkVirtualShadowViews::GetGLSL() +
         this->GetTilesGLSL() + "#define SHADOW_CELLS " +
-        std::to_string(vtkVirtualShadowTree::Cells) + ".0\n#define SHADOW_MEAN_TAPS " + std::to_string(MeanTaps) + ".0\n" +
+        std::to_string(vtkVirtualShadowTree::Cells) + ".0\n#define SHADOW_MEAN_TAPS " +
+        std::to_string(MeanTaps) + ".0\n" +
         (metric == "static" ? "#define SHADOW_METRIC_STATIC\n" : "") +
         (metric == "none" ? "#define SHADOW_METRIC_NONE\n" : "") +
         (this->Settings.GetBoolean("antialias") ? "#define SHADOW_ANTIALIAS\n" : ""));
@@ -229,7 +229,7 @@ std::size_t vtkVirtualSoftShadowMapTechnique::FindKernels(
   return this->Tree.AddRequests(this->Texels);
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 bool vtkVirtualSoftShadowMapTechnique::FindTiles(vtkShadowFrame& frame)
 {
   this->Coarser = 0;
@@ -243,9 +243,10 @@ bool vtkVirtualSoftShadowMapTechnique::FindTiles(vtkShadowFrame& frame)
     }
     if (this->Coarser > 0)
     {
-      frame.Messages->Warn("the pages that the picture asks for are more than the budget of " +
-                           *this->Settings.Find("budget") +
-                           " MB: shadows are coarser than they should be. A larger budget mends that.");
+      frame.Messages->Warn(
+        "the pages that the picture asks for are more than the budget of " +
+        *this->Settings.Find("budget") +
+        " MB: shadows are coarser than they should be. A larger budget mends that.");
     }
   }
   else
@@ -275,9 +276,8 @@ bool vtkVirtualSoftShadowMapTechnique::FindTiles(vtkShadowFrame& frame)
   return true;
 }
 
-//------------------------------------------------------------------------------
-void vtkVirtualSoftShadowMapTechnique::Sum(
-  vtkShadowFrame& frame, vtkVisibilityBuffer& buffer)
+// ------------------------------------------------------------------------------
+void vtkVirtualSoftShadowMapTechnique::Sum(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer)
 {
   vtkOpenGLState* state = frame.Window->GetState();
   const auto nodes = this->Keeps ? vtkVirtualShadowRequests::GetTable(this->Tiles, this->Turn.First)
@@ -293,8 +293,7 @@ void vtkVirtualSoftShadowMapTechnique::Sum(
   {
     this->Pages.Draw(frame, this->Views.GetViews(this->Part), this->Tiles, batch);
     vtkShadowTimers::Scope timer(*frame.Timers, "filter");
-    vtkShadowFramebuffer::Scope target(
-      frame.Window, this->Framebuffer, &this->Sums, nullptr, 0);
+    vtkShadowFramebuffer::Scope target(frame.Window, this->Framebuffer, &this->Sums, nullptr, 0);
     if (batch > 0)
     {
       state->vtkglEnable(GL_BLEND);
@@ -326,7 +325,7 @@ void vtkVirtualSoftShadowMapTechnique::Sum(
   }
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 void vtkVirtualSoftShadowMapTechnique::FillVisibility(
   vtkShadowFrame& frame, vtkVisibilityBuffer& buffer)
 {
@@ -357,7 +356,7 @@ void vtkVirtualSoftShadowMapTechnique::FillVisibility(
   this->Frame = nullptr;
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 void vtkVirtualSoftShadowMapTechnique::FillPart(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer)
 {
   frame.Counts["pixelsFiltered"] += static_cast<double>(this->FindKernels(frame, buffer));
@@ -392,13 +391,13 @@ void vtkVirtualSoftShadowMapTechnique::FillPart(vtkShadowFrame& frame, vtkVisibi
   }
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 double vtkVirtualSoftShadowMapTechnique::GetMaximumCost()
 {
   return static_cast<double>(MostTaps) * MostTaps;
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 std::string vtkVirtualSoftShadowMapTechnique::GetDebugQuantity(const std::string& view)
 {
   static const std::pair<const char*, const char*> quantities[] = { { "tiles", "shadowTile" },
@@ -414,16 +413,15 @@ std::string vtkVirtualSoftShadowMapTechnique::GetDebugQuantity(const std::string
   return vtkShadowTechnique::GetDebugQuantity(view);
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 std::vector<std::pair<std::string, std::size_t>> vtkVirtualSoftShadowMapTechnique::GetBytes()
 {
   return { { "coarse maps", this->Views.GetBytes() },
     { "tiles", this->Pages.GetBytes() + this->Nodes.GetBytes() },
-    { "kernels",
-      this->Kernels.GetBytes() + this->Requests.GetBytes() + this->Sums.GetBytes() } };
+    { "kernels", this->Kernels.GetBytes() + this->Requests.GetBytes() + this->Sums.GetBytes() } };
 }
 
-//------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------
 void vtkVirtualSoftShadowMapTechnique::Release(vtkOpenGLRenderWindow* window)
 {
   this->Views.Release(window);

@@ -4,12 +4,12 @@
 #ifndef vtkVirtualSoftShadowMapTechnique_h
 #define vtkVirtualSoftShadowMapTechnique_h
 
-#include "vtkShadowGL.h"           // For textures
-#include "vtkShadowTechnique.h"    // For the base class
-#include "vtkVirtualShadowPages.h" // For pages
+#include "vtkShadowGL.h"              // For textures
+#include "vtkShadowTechnique.h"       // For the base class
+#include "vtkVirtualShadowPages.h"    // For pages
 #include "vtkVirtualShadowRequests.h" // For pages that are asked for
-#include "vtkVirtualShadowTree.h"  // For tiles
-#include "vtkVirtualShadowViews.h" // For views
+#include "vtkVirtualShadowTree.h"     // For tiles
+#include "vtkVirtualShadowViews.h"    // For views
 
 #include <glm/vec4.hpp>
 
@@ -35,10 +35,10 @@ public:
   void Release(vtkOpenGLRenderWindow* window) override;
 
 private:
-  /** What differs between pixels' own pages and the tiles of kd-trees: see vtkVirtualTilesFS.glsl. */
+  /** What differs between pixels' own pages and tiles of kd-trees: vtkVirtualTilesFS.glsl. */
   std::string GetTilesGLSL() const;
   void FindSide(vtkShadowFrame& frame);
-  /** Kernels and requests of the part, in some of its views; gives how many pixels are to be filtered. */
+  /** Kernels and requests of the part, in some of its views; gives how many pixels filter. */
   std::size_t FindKernels(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer);
   /** The tiles, within the budget; false when out of memory. */
   bool FindTiles(vtkShadowFrame& frame);
@@ -51,12 +51,12 @@ private:
   vtkVirtualShadowTree Tree;      // of cache=off
   vtkVirtualShadowPages Pages;
   std::vector<vtkVirtualShadowTile> Tiles;
-  bool Keeps = true;   // the setting cache
-  int Side = 16;       // of a tile's map
+  bool Keeps = true; // the setting cache
+  int Side = 16;     // of a tile's map
   int MostPages = 1;
-  int Coarser = 0;     // halvings that pages go without
+  int Coarser = 0; // halvings that pages go without
   int TableSize = 4;
-  int Part = 0;        // whose kernels and sums there are
+  int Part = 0; // whose kernels and sums there are
   vtkVirtualShadowViews::Turn Turn;
   vtkShadowFrame* Frame = nullptr; // while visibility is filled
   vtkShadowTexture Kernels;

@@ -6,8 +6,7 @@
 #include "vtkVirtualSoftShadowMapPass.h"
 #include "vtkVirtualSoftShadowMapTechnique.h"
 
-vtkShadowTechniqueAutoInit(
-  VTKSOFTSHADOWSVIRTUALSHADOWMAPS_EXPORT, vtkSoftShadowsVirtualShadowMaps);
+vtkShadowTechniqueAutoInit(VTKSOFTSHADOWSVIRTUALSHADOWMAPS_EXPORT, vtkSoftShadowsVirtualShadowMaps);
 
 vtkShadowPassOfTechniqueMacro(vtkVirtualSoftShadowMapPass, "virtual-maps");
 
@@ -35,7 +34,8 @@ vtkShadowDeclaration Declare()
       "Widen each filter by its pixel's footprint on the receiver, so that no shadow is sharper "
       "than a pixel"),
     vtkShadowParameter::Integer("resolution", 0, 0, 16384,
-      "Side of a tile's map, 16 at least (less counts as 16): of kept pages the power of two below, "
+      "Side of a tile's map, 16 at least (less counts as 16): of kept pages the power of two "
+      "below, "
       "of others at most; with metric=none of the only map; 0: 512, with metric=none the power of "
       "two next to the picture's longer side, 1024 to 4096")
       .In("texels"),
@@ -51,18 +51,22 @@ vtkShadowDeclaration Declare()
       .In("texels")
       .At({ 256, 256, 256, 1024 }) };
   t.DebugViews = { "tiles", "predicted-resolution", "kernel-size", "lit-mask", "cache-hits" };
-  t.Resources = { "pages, 4 bytes a texel, resolution^2 each, within the budget; with cache=off one",
-    "coarse map and its pyramid, 30 bytes a texel, coarse^2 each light (up to six where the light is "
+  t.Resources = {
+    "pages, 4 bytes a texel, resolution^2 each, within the budget; with cache=off one",
+    "coarse map and its pyramid, 30 bytes a texel, coarse^2 each light (up to six where the light "
+    "is "
     "among the casters)",
     "receivers 16 bytes, depth 4 bytes, kernels, requests and sums 48 bytes, visibility 4 bytes a "
-    "light, each a pixel" };
+    "light, each a pixel"
+  };
   t.Limits = { "One map from the light's centre: what only other points of the light see behind a "
                "caster's edge is missing.",
     "Blockers at several depths over a receiver count as one in their mean depth.",
     "A disk or sphere is the square of equal variance, half side 0.866 radius; a rectangle that is "
     "turned over the map the sheared box of equal variance.",
     "A textured light casts no shadow.",
-    "Of a translucent pixel's surfaces the nearest alone receives: it is evaluated in screen space.",
+    "Of a translucent pixel's surfaces the nearest alone receives: it is evaluated in screen "
+    "space.",
     "Blockers are searched in triangles without their holes by alpha; the filter knows these.",
     "A light among its casters: what it casts further than 31 degrees beyond a cube's face is "
     "drawn in." };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 
-// The texels that a triangle touches, as deep as the nearest of it in each: see vtkVirtualCoarseGS.glsl.
+// The texels that a triangle touches, as deep as the nearest of it in each: see
+// vtkVirtualCoarseGS.glsl.
 
 uniform float shadowSide;
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 
-// Conservative rasterization: the rectangle around a triangle, with what tells which texels it touches, and
-// how deep it is there. Hasselgren, Akenine-Moeller and Ohlsson, Conservative rasterization, GPU Gems 2,
-// 2005, second algorithm, by its bounding rectangle alone: that of a sliver needs no corners far away.
+// Conservative rasterization: the rectangle around a triangle, with what tells which texels it
+// touches, and how deep it is there. Hasselgren, Akenine-Moeller and Ohlsson, Conservative
+// rasterization, GPU Gems 2, 2005, second algorithm, by its bounding rectangle alone: that of a
+// sliver needs no corners far away.
 
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 4) out;
@@ -11,7 +12,7 @@ layout(triangle_strip, max_vertices = 4) out;
 uniform float shadowSide; // of the map, in texels
 uniform float shadowTurn; // which way triangles are turned that are drawn: 1 or -1
 
-flat out vec3 shadowEdge0; // not negative where a texel's middle may be one that the triangle touches
+flat out vec3 shadowEdge0; // not negative in the middle of a texel that the triangle touches
 flat out vec3 shadowEdge1;
 flat out vec3 shadowEdge2;
 flat out vec3 shadowPlane; // depth in [0,1] over the map in [-1,1], the least of the texel
@@ -53,7 +54,8 @@ void main()
   vec3 b = p[1].xyz / p[1].w;
   vec3 c = p[2].xyz / p[2].w;
   vec3 depths = 0.5 * vec3(a.z, b.z, c.z) + 0.5;
-  shadowRange = vec2(min(depths.x, min(depths.y, depths.z)), max(depths.x, max(depths.y, depths.z)));
+  shadowRange =
+    vec2(min(depths.x, min(depths.y, depths.z)), max(depths.x, max(depths.y, depths.z)));
   vec2 ab = b.xy - a.xy;
   vec2 ac = c.xy - a.xy;
   float area = ab.x * ac.y - ab.y * ac.x;
@@ -62,9 +64,11 @@ void main()
   shadowEdge1 = shadowEdge(b.xy, c.xy, side);
   shadowEdge2 = shadowEdge(c.xy, a.xy, side);
   // Of a sliver the slope is anything: the triangle's range bounds what it gives.
-  vec2 slope = (vec2(ac.y, -ac.x) * (depths.y - depths.x) + vec2(-ab.y, ab.x) * (depths.z - depths.x)) /
-    (abs(area) > 1e-30 ? area : 1e-30);
-  shadowPlane = vec3(slope, depths.x - dot(slope, a.xy) - (abs(slope.x) + abs(slope.y)) / shadowSide);
+  vec2 slope = (depths.y - depths.x) * vec2(ac.y, -ac.x) +
+    (depths.z - depths.x) * vec2(-ab.y, ab.x);
+  slope /= abs(area) > 1e-30 ? area : 1e-30;
+  float least = (abs(slope.x) + abs(slope.y)) / shadowSide;
+  shadowPlane = vec3(slope, depths.x - dot(slope, a.xy) - least);
   vec2 low = min(a.xy, min(b.xy, c.xy)) - 1.0 / shadowSide;
   vec2 high = max(a.xy, max(b.xy, c.xy)) + 1.0 / shadowSide;
   low = max(low, vec2(-1.0));

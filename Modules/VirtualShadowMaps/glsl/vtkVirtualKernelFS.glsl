@@ -3,8 +3,9 @@
 #extension GL_ARB_shader_bit_encoding : require
 #extension GL_ARB_explicit_attrib_location : require
 
-// Each pixel's filter over the virtual map, and the texels that it needs: Shen, Guennebaud, Yang and Feng,
-// Predicted virtual soft shadow maps with high quality filtering, 2011, sections 4.2 and 5.1.
+// Each pixel's filter over the virtual map, and the texels that it needs: Shen, Guennebaud, Yang
+// and Feng, Predicted virtual soft shadow maps with high quality filtering, 2011, sections 4.2 and
+// 5.1.
 
 //SHADOW::Declarations
 
@@ -15,12 +16,12 @@ uniform vec4 shadowEyeVC;     // where lines of sight meet, or the direction tow
 uniform vec4 shadowWRow;      // of VCToClip
 uniform vec3 shadowPixelVC[2]; // what moves by a pixel, times w
 
-// Half axes (x, shear), (0, y) of the kernel over the map; its code (vtkVirtualTilesFS.glsl), 0 where all
-// is lit.
+// Half axes (x, shear), (0, y) of the kernel over the map; its code (vtkVirtualTilesFS.glsl), 0
+// where all is lit.
 layout(location = 0) out vec4 shadowKernel;
-// With SHADOW_PAGES: numbers of the pages that the kernel covers along x, along y, first + 4096 last; the
-// code; the smaller texel that is asked for. Else: cells that it covers, first + last cells^2; the code;
-// texel that is asked for along x and y.
+// With SHADOW_PAGES: numbers of the pages that the kernel covers along x, along y, first + 4096
+// last; the code; the smaller texel that is asked for. Else: cells that it covers, first + last
+// cells^2; the code; texel that is asked for along x and y.
 layout(location = 1) out vec4 shadowRequest;
 
 // Of a penumbra of so many pixels, how many texels it takes (section 5.1).
@@ -35,7 +36,8 @@ float shadowTexels(float pixels)
 #endif
 }
 
-// Depth of the nearest blocker in a cell, and of the nearest of those that are turned the other way.
+// Depth of the nearest blocker in a cell, and of the nearest of those that are turned the other
+// way.
 vec2 shadowFetchSides(ivec2 cell, int layer, int level)
 {
   vec2 depths;
@@ -68,8 +70,8 @@ mat2 shadowFindFootprint(int view, vec3 positionVC, vec3 normalVC, shadowPlace p
   return footprint;
 }
 
-// Mean difference of depth to the blockers. What is hardly above the receiver's own plane, by the size of a
-// cell, may be the receiver itself: it counts where there is nothing else.
+// Mean difference of depth to the blockers. What is hardly above the receiver's own plane, by the
+// size of a cell, may be the receiver itself: it counts where there is nothing else.
 float shadowFindMean(int view, shadowPlace place, bool square, vec2 footprint, vec2 extent)
 {
   float side = float(shadowPyramidResolution);
@@ -98,9 +100,11 @@ float shadowFindMean(int view, shadowPlace place, bool square, vec2 footprint, v
       float reference = place.placeLC.z + min(dot(place.slopeLC, offset), 0.0);
       float above = reference - depths.x;
       // The middle between the two sides of a body, where both are in front.
-      float middle = depths.y < min(reference - unclear, 1.0) ? 0.5 * (depths.x + depths.y) : depths.x;
+      bool both = depths.y < min(reference - unclear, 1.0);
+      float middle = both ? 0.5 * (depths.x + depths.y) : depths.x;
       float nearer = place.placeLC.z - middle;
-      bool blocks = depths.x < min(reference, 1.0) && // behind the far plane all casters are in front
+      // Behind the far plane all casters are in front.
+      bool blocks = depths.x < min(reference, 1.0) &&
         all(lessThanEqual(abs(offset) - 0.5 * cellLC, nearer * unit + footprint));
       float sure = clamp(above / unclear - 1.0, 1e-3, 1.0);
       float weight = blocks ? sure * (end.x - first.x) * (end.y - first.y) : 0.0;

@@ -2,9 +2,9 @@
 //VTK::System::Dec
 #extension GL_ARB_shader_bit_encoding : require
 
-// Sums over the tiles at hand: each texel is a square of constant depth, and counts by its area within the
-// kernel (section 4.1). Columns of the kernel are boxes, moved by its shear at the middle of what is left
-// of the column (section 4.2).
+// Sums over the tiles at hand: each texel is a square of constant depth, and counts by its area
+// within the kernel (section 4.1). Columns of the kernel are boxes, moved by its shear at the
+// middle of what is left of the column (section 4.2).
 
 //VTK::Output::Dec
 

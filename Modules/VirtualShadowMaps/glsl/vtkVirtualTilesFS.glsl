@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds the tiles of a pixel. A kernel's code is 1 + view + 8 x + 256 y, of its level's halvings of the map
-// along x and y.
+// Finds the tiles of a pixel. A kernel's code is 1 + view + 8 x + 256 y, of its level's halvings of
+// the map along x and y.
 //
-// SHADOW_PAGES: pages of SHADOW_PAGE_SIDE squared texels on the pixel's own level, in a table by open
-// addressing (vtkVirtualShadowRequests). Else the nodes of kd-trees in the order of a walk, three vectors
-// each (vtkVirtualShadowTree).
+// SHADOW_PAGES: pages of SHADOW_PAGE_SIDE squared texels on the pixel's own level, in a table by
+// open addressing (vtkVirtualShadowRequests). Else the nodes of kd-trees in the order of a walk,
+// three vectors each (vtkVirtualShadowTree).
 
 uniform samplerBuffer shadowNodes;
 

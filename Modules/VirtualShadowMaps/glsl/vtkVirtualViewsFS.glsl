@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A receiver over the virtual map of a light, which is one view of it or up to six: what the kernels, the
-// sums and the visibility need of it. LC is the map, [0,1] in x, y and depth.
+// A receiver over the virtual map of a light, which is one view of it or up to six: what the
+// kernels, the sums and the visibility need of it. LC is the map, [0,1] in x, y and depth.
 //
-// The point (s, t) of the light, in its half axes, is hidden by a blocker whose depth is less than the
-// receiver's by `delta` where the map shows the blocker at
+// The point (s, t) of the light, in its half axes, is hidden by a blocker whose depth is less than
+// the receiver's by `delta` where the map shows the blocker at
 //
 //   receiver.xy + delta * (s * axisU + t * axisV) / (1 - s * tiltU - t * tiltV)
 //
-// since depth is linear in the reciprocal distance (of a directional light, in the distance). No texel and
-// no unit is in that.
+// since depth is linear in the reciprocal distance (of a directional light, in the distance). No
+// texel and no unit is in that.
 //
-// A view's vectors: 0 to 3: rows of the matrix from VC to LC, before division; 4, 5: axes of the view as
-// unit vectors, w: x and y of the light's place; 6: depth times distance, lengths of the window's sides at
-// distance 1, z of the place; 7: the light's half axes over the map for one unit of depth, straight along
-// the view; 8: their lengths along the view's axis, layer of the coarse map, face of a cube; 9: radius of a
-// sphere, variance of the light's shape against that of its bounding square; 10: low x, y, high x, y where
-// the map is cut and casters go on.
+// A view's vectors: 0 to 3: rows of the matrix from VC to LC, before division; 4, 5: axes of the
+// view as unit vectors, w: x and y of the light's place; 6: depth times distance, lengths of the
+// window's sides at distance 1, z of the place; 7: the light's half axes over the map for one unit
+// of depth, straight along the view; 8: their lengths along the view's axis, layer of the coarse
+// map, face of a cube; 9: radius of a sphere, variance of the light's shape against that of its
+// bounding square; 10: low x, y, high x, y where the map is cut and casters go on.
 
 #define SHADOW_VIEW_VECTORS 11
 const int shadowMostViews = 6;

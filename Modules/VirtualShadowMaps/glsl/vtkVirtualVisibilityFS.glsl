@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Visibility from the sums over all tiles: the share of the light above the receiver's horizon, in closed
-// form, times what of it no blocker hides, normalised by the sum of weights.
+// Visibility from the sums over all tiles: the share of the light above the receiver's horizon, in
+// closed form, times what of it no blocker hides, normalised by the sum of weights.
 
 uniform sampler2DArray shadowKernels;
 uniform sampler2DArray shadowSums;
@@ -69,14 +69,23 @@ SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionVC, vec3 normalVC)
   float visibility = above;
   if (sums.z > 0.0)
   {
-    // What of the kernel lies beside the map is lit, but where the map is cut: there it is drawn in.
+    // What of the kernel lies beside the map is lit, but where the map is cut: there it is drawn
+    // in.
     int view = shadowGetView(kernel.w);
     shadowPlace place;
     shadowFindPlace(view, positionVC, normalVC, place);
     vec4 bounds = SHADOW_VIEW(view, 10);
-    vec2 inside = max(min(place.placeLC.xy + kernel.xz, bounds.zw) -
-      max(place.placeLC.xy - kernel.xz, bounds.xy), 0.0);
-    float beside = inside.x * inside.y - sums.z;
+    vec2 centre = place.placeLC.xy;
+    vec2 reach = vec2(kernel.x, kernel.z + abs(kernel.y));
+    bool cut = any(lessThan(centre - reach, bounds.xy)) ||
+      any(greaterThan(centre + reach, bounds.zw));
+    // Of the kernel's sides, what lies beside the map where it is not cut.
+    vec2 over = (max(kernel.xz - centre, 0.0) * vec2(lessThan(bounds.xy, vec2(0.0))) +
+      max(centre + kernel.xz - 1.0, 0.0) * vec2(greaterThan(bounds.zw, vec2(1.0)))) /
+      (2.0 * kernel.xz);
+    vec2 within = max(1.0 - over, 1e-3);
+    float beside = cut ? sums.z * (1.0 / (within.x * within.y) - 1.0)
+      : 4.0 * kernel.x * kernel.z - sums.z;
     beside = beside > 1e-3 * sums.z ? beside : 0.0;
     float all = sums.y + beside;
     visibility *= all > 0.0 ? clamp(1.0 - sums.x / all, 0.0, 1.0) : 1.0;
