@@ -36,7 +36,7 @@ glm::dmat4 GetTileOfClip(const vtkVirtualShadowTile& tile)
 }
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool vtkVirtualShadowPages::Seen::operator<(const Seen& other) const
 {
   if (this->Mesh != other.Mesh)
@@ -48,7 +48,7 @@ bool vtkVirtualShadowPages::Seen::operator<(const Seen& other) const
   return std::lexicographical_compare(a, a + 16, b, b + 16);
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 int vtkVirtualShadowPages::SetLimits(int side, std::size_t bytes, bool kept)
 {
   int layers = 256;
@@ -66,7 +66,7 @@ int vtkVirtualShadowPages::SetLimits(int side, std::size_t bytes, bool kept)
   return most;
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void vtkVirtualShadowPages::DropAll()
 {
   this->Pages.clear();
@@ -77,7 +77,7 @@ void vtkVirtualShadowPages::DropAll()
   }
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void vtkVirtualShadowPages::Follow(
   vtkShadowFrame& frame, int part, const std::vector<vtkLightView>& views)
 {
@@ -125,7 +125,7 @@ void vtkVirtualShadowPages::Follow(
     this->Views.lower_bound({ part + 1, 0 }));
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void vtkVirtualShadowPages::FollowEnd(int part)
 {
   const auto from = this->Pages.lower_bound(Key{ part, 0, 0, 0, 0, 0 });
@@ -135,7 +135,7 @@ void vtkVirtualShadowPages::FollowEnd(int part)
   this->Views.erase(this->Views.lower_bound({ part, 0 }), this->Views.end());
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void vtkVirtualShadowPages::Drop(int part, int view, const glm::dmat4& SWCToClip, const Seen& seen)
 {
   glm::dvec2 low(1.0);
@@ -178,7 +178,7 @@ void vtkVirtualShadowPages::Drop(int part, int view, const glm::dmat4& SWCToClip
   }
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool vtkVirtualShadowPages::Allocate(vtkShadowFrame& frame, int slots)
 {
   const auto least = static_cast<int>(LeastBytes / (std::size_t(4) * this->Side * this->Side));
@@ -198,7 +198,7 @@ bool vtkVirtualShadowPages::Allocate(vtkShadowFrame& frame, int slots)
   return made;
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool vtkVirtualShadowPages::Place(
   vtkShadowFrame& frame, int part, std::vector<vtkVirtualShadowTile>& tiles)
 {
@@ -207,7 +207,7 @@ bool vtkVirtualShadowPages::Place(
   return this->Kept ? this->PlacePages(frame, part, tiles) : this->PlaceInTurn(frame, tiles);
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool vtkVirtualShadowPages::PlacePages(
   vtkShadowFrame& frame, int part, std::vector<vtkVirtualShadowTile>& tiles)
 {
@@ -269,7 +269,7 @@ bool vtkVirtualShadowPages::PlacePages(
   return true;
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool vtkVirtualShadowPages::PlaceInTurn(
   vtkShadowFrame& frame, std::vector<vtkVirtualShadowTile>& tiles)
 {
@@ -312,7 +312,7 @@ bool vtkVirtualShadowPages::PlaceInTurn(
   return true;
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void vtkVirtualShadowPages::Draw(vtkShadowFrame& frame, const std::vector<vtkLightView>& views,
   const std::vector<vtkVirtualShadowTile>& tiles, int batch)
 {
@@ -346,7 +346,7 @@ void vtkVirtualShadowPages::Draw(vtkShadowFrame& frame, const std::vector<vtkLig
     static_cast<double>(frame.Drawing->GetDrawnTriangles() - before);
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void vtkVirtualShadowPages::Release(vtkOpenGLRenderWindow* window)
 {
   this->Tiles.Release(window);

@@ -16,7 +16,7 @@ std::uint32_t Hash(std::uint32_t number, std::uint32_t code)
 }
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::size_t vtkVirtualShadowRequests::Read(const std::vector<glm::vec4>& requests)
 {
   this->Pages.clear();
@@ -48,7 +48,7 @@ std::size_t vtkVirtualShadowRequests::Read(const std::vector<glm::vec4>& request
   return count;
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::vector<vtkVirtualShadowTile> vtkVirtualShadowRequests::GetTiles(int side, int coarser) const
 {
   std::vector<std::array<int, 5>> places;
@@ -79,7 +79,7 @@ std::vector<vtkVirtualShadowTile> vtkVirtualShadowRequests::GetTiles(int side, i
   return tiles;
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::vector<glm::vec4> vtkVirtualShadowRequests::GetTable(
   const std::vector<vtkVirtualShadowTile>& tiles, int firstView)
 {

@@ -31,7 +31,7 @@ glm::ivec2 GetCells(int halvings, int number)
 }
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void vtkVirtualShadowTree::Start(int views)
 {
   this->Grids.assign(views, std::vector<glm::vec2>(static_cast<std::size_t>(Cells) * Cells,
@@ -41,7 +41,7 @@ void vtkVirtualShadowTree::Start(int views)
   this->FirstNodes.assign(views + 1, 0);
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::size_t vtkVirtualShadowTree::AddRequests(const std::vector<glm::vec4>& requests)
 {
   std::size_t count = 0;
@@ -70,7 +70,7 @@ std::size_t vtkVirtualShadowTree::AddRequests(const std::vector<glm::vec4>& requ
   return count;
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 glm::dvec2 vtkVirtualShadowTree::FindLeast(
   int view, const glm::ivec2& first, const glm::ivec2& end) const
 {
@@ -85,7 +85,7 @@ glm::dvec2 vtkVirtualShadowTree::FindLeast(
   return least;
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void vtkVirtualShadowTree::Build(const Options& options)
 {
   this->Nodes.clear();
@@ -99,7 +99,7 @@ void vtkVirtualShadowTree::Build(const Options& options)
   this->FirstNodes[views] = static_cast<int>(this->Nodes.size());
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void vtkVirtualShadowTree::AddNode(
   int view, const std::array<int, 4>& place, const Options& options)
 {
@@ -172,7 +172,7 @@ void vtkVirtualShadowTree::AddNode(
   this->Nodes[index].Next = static_cast<int>(this->Nodes.size());
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::vector<glm::vec4> vtkVirtualShadowTree::GetNodes() const
 {
   std::vector<glm::vec4> vectors;

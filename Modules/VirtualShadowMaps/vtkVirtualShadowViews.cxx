@@ -36,7 +36,7 @@ constexpr int VectorsOfView = 11;
 constexpr double VarianceOfDisk = 0.75;
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool vtkVirtualShadowViews::Update(vtkShadowFrame& frame, int side)
 {
   this->Changes.Update(frame, this->Coarse.GetWidth() != side && this->Coarse.GetWidth() > 1);
@@ -95,7 +95,7 @@ bool vtkVirtualShadowViews::Update(vtkShadowFrame& frame, int side)
   return true;
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void vtkVirtualShadowViews::Draw(vtkShadowFrame& frame, const Part& part)
 {
   const int count = static_cast<int>(part.Views.size());
@@ -135,28 +135,28 @@ void vtkVirtualShadowViews::Draw(vtkShadowFrame& frame, const Part& part)
   this->Pyramid.Build(frame, this->Coarse, part.FirstLayer, Sides * count);
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool vtkVirtualShadowViews::IsOverlapExceeded() const
 {
   return std::any_of(
     this->Parts.begin(), this->Parts.end(), [](const Part& part) { return part.Exceeded; });
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void vtkVirtualShadowViews::Activate(vtkShadowFrame& frame)
 {
   this->Coarse.Activate(frame.Window);
   this->Pyramid.Activate(frame.Window);
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void vtkVirtualShadowViews::Deactivate(vtkShadowFrame& frame)
 {
   this->Pyramid.Deactivate(frame.Window);
   this->Coarse.Deactivate(frame.Window);
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::vector<vtkVirtualShadowViews::Turn> vtkVirtualShadowViews::GetTurns(int part) const
 {
   const auto& views = this->Parts[part].Views;
@@ -173,7 +173,7 @@ std::vector<vtkVirtualShadowViews::Turn> vtkVirtualShadowViews::GetTurns(int par
   return turns;
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void vtkVirtualShadowViews::SetParameters(
   vtkShaderProgram* program, const vtkShadowFrame& frame, int index, const Turn& range)
 {
@@ -228,13 +228,13 @@ void vtkVirtualShadowViews::SetParameters(
   this->Pyramid.SetParameters(program);
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::string vtkVirtualShadowViews::GetGLSL()
 {
   return vtkShadowDepthPyramid::GetGLSL() + vtkVirtualViewsFS;
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void vtkVirtualShadowViews::Release(vtkOpenGLRenderWindow* window)
 {
   this->Coarse.Release(window);

@@ -46,7 +46,7 @@ int FloorToPowerOfTwo(int value)
 }
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::string vtkVirtualSoftShadowMapTechnique::FindUnsupported(vtkOpenGLRenderWindow*)
 {
   return VTK_SHADOW_HAS_GL(VERSION_3_3) || VTK_SHADOW_HAS_GL(ARB_sampler_objects)
@@ -54,7 +54,7 @@ std::string vtkVirtualSoftShadowMapTechnique::FindUnsupported(vtkOpenGLRenderWin
            : "OpenGL 3.3 is needed, or ARB_sampler_objects";
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void vtkVirtualSoftShadowMapTechnique::FindSide(vtkShadowFrame& frame)
 {
   const bool fixed = this->Settings.GetChoice("metric") == "none";
@@ -75,7 +75,7 @@ void vtkVirtualSoftShadowMapTechnique::FindSide(vtkShadowFrame& frame)
   this->MostPages = this->Pages.SetLimits(this->Side, budget, this->Keeps);
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool vtkVirtualSoftShadowMapTechnique::UpdateLightData(vtkShadowFrame& frame)
 {
   int largest = 1024;
@@ -110,7 +110,7 @@ bool vtkVirtualSoftShadowMapTechnique::UpdateLightData(vtkShadowFrame& frame)
   return true;
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::string vtkVirtualSoftShadowMapTechnique::GetTilesGLSL() const
 {
   const int log2 = static_cast<int>(std::ceil(std::log2(this->Side)));
@@ -120,19 +120,19 @@ std::string vtkVirtualSoftShadowMapTechnique::GetTilesGLSL() const
          std::to_string(halvings) + ".0\n" + vtkVirtualTilesFS;
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::string vtkVirtualSoftShadowMapTechnique::GetVisibilityGLSL()
 {
   return vtkVirtualShadowViews::GetGLSL() + this->GetTilesGLSL() + vtkVirtualVisibilityFS;
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void vtkVirtualSoftShadowMapTechnique::Activate(vtkShadowFrame& frame)
 {
   this->Views.Activate(frame);
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void vtkVirtualSoftShadowMapTechnique::Deactivate(vtkShadowFrame& frame)
 {
   for (vtkShadowTexture* texture :
@@ -144,7 +144,7 @@ void vtkVirtualSoftShadowMapTechnique::Deactivate(vtkShadowFrame& frame)
   this->Frame = nullptr;
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void vtkVirtualSoftShadowMapTechnique::SetTiles(vtkShaderProgram* program)
 {
   program->SetUniformi("shadowNodes", this->Nodes.GetUnit());
@@ -163,7 +163,7 @@ void vtkVirtualSoftShadowMapTechnique::SetTiles(vtkShaderProgram* program)
   program->SetUniform1iv("shadowFirstNode", vtkVirtualShadowViews::Most + 1, first);
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void vtkVirtualSoftShadowMapTechnique::SetVisibilityParameters(vtkShaderProgram* program)
 {
   if (this->Frame)
@@ -176,7 +176,7 @@ void vtkVirtualSoftShadowMapTechnique::SetVisibilityParameters(vtkShaderProgram*
   }
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::size_t vtkVirtualSoftShadowMapTechnique::FindKernels(
   vtkShadowFrame& frame, vtkVisibilityBuffer& buffer)
 {
@@ -229,7 +229,7 @@ std::size_t vtkVirtualSoftShadowMapTechnique::FindKernels(
   return this->Tree.AddRequests(this->Texels);
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool vtkVirtualSoftShadowMapTechnique::FindTiles(vtkShadowFrame& frame)
 {
   this->Coarser = 0;
@@ -276,7 +276,7 @@ bool vtkVirtualSoftShadowMapTechnique::FindTiles(vtkShadowFrame& frame)
   return true;
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void vtkVirtualSoftShadowMapTechnique::Sum(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer)
 {
   vtkOpenGLState* state = frame.Window->GetState();
@@ -325,7 +325,7 @@ void vtkVirtualSoftShadowMapTechnique::Sum(vtkShadowFrame& frame, vtkVisibilityB
   }
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void vtkVirtualSoftShadowMapTechnique::FillVisibility(
   vtkShadowFrame& frame, vtkVisibilityBuffer& buffer)
 {
@@ -356,7 +356,7 @@ void vtkVirtualSoftShadowMapTechnique::FillVisibility(
   this->Frame = nullptr;
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void vtkVirtualSoftShadowMapTechnique::FillPart(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer)
 {
   frame.Counts["pixelsFiltered"] += static_cast<double>(this->FindKernels(frame, buffer));
@@ -391,13 +391,13 @@ void vtkVirtualSoftShadowMapTechnique::FillPart(vtkShadowFrame& frame, vtkVisibi
   }
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 double vtkVirtualSoftShadowMapTechnique::GetMaximumCost()
 {
   return static_cast<double>(MostTaps) * MostTaps;
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::string vtkVirtualSoftShadowMapTechnique::GetDebugQuantity(const std::string& view)
 {
   static const std::pair<const char*, const char*> quantities[] = { { "tiles", "shadowTile" },
@@ -413,7 +413,7 @@ std::string vtkVirtualSoftShadowMapTechnique::GetDebugQuantity(const std::string
   return vtkShadowTechnique::GetDebugQuantity(view);
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::vector<std::pair<std::string, std::size_t>> vtkVirtualSoftShadowMapTechnique::GetBytes()
 {
   return { { "coarse maps", this->Views.GetBytes() },
@@ -421,7 +421,7 @@ std::vector<std::pair<std::string, std::size_t>> vtkVirtualSoftShadowMapTechniqu
     { "kernels", this->Kernels.GetBytes() + this->Requests.GetBytes() + this->Sums.GetBytes() } };
 }
 
-// ------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void vtkVirtualSoftShadowMapTechnique::Release(vtkOpenGLRenderWindow* window)
 {
   this->Views.Release(window);

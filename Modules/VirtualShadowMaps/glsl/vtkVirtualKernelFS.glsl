@@ -24,15 +24,16 @@ layout(location = 0) out vec4 shadowKernel;
 // cells^2; the code; texel that is asked for along x and y.
 layout(location = 1) out vec4 shadowRequest;
 
-// Of a penumbra of so many pixels, how many texels it takes (section 5.1).
+// Of a penumbra of so many pixels, how many texels it takes (section 5.1); a hard edge, which the study
+// had not, a texel a pixel.
 float shadowTexels(float pixels)
 {
 #ifdef SHADOW_METRIC_STATIC
   float x = clamp(log2(pixels), 0.0, 7.6);
-  return 0.5477 + x * (1.406 + x * (-0.04687 - x * 0.003944));
+  return max(0.5477 + x * (1.406 + x * (-0.04687 - x * 0.003944)), 1.0);
 #else
   float x = clamp(log2(pixels), 0.0, 10.6);
-  return 0.667 + x * (0.7794 + x * (0.3967 - x * 0.02716));
+  return max(0.667 + x * (0.7794 + x * (0.3967 - x * 0.02716)), 1.0);
 #endif
 }
 
@@ -106,7 +107,7 @@ float shadowFindMean(int view, shadowPlace place, bool square, vec2 footprint, v
       // Behind the far plane all casters are in front.
       bool blocks = depths.x < min(reference, 1.0) &&
         all(lessThanEqual(abs(offset) - 0.5 * cellLC, nearer * unit + footprint));
-      float sure = clamp(above / unclear - 1.0, 1e-3, 1.0);
+      float sure = clamp(above / unclear, 1e-3, 1.0);
       float weight = blocks ? sure * (end.x - first.x) * (end.y - first.y) : 0.0;
       count += weight;
       sum += weight * nearer;
