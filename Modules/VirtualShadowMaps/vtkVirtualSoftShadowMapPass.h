@@ -24,7 +24,8 @@
  *   sums      RGBA32F  a pixel: weights above the horizon, hidden and all; all weights; look-ups
  *   nodes     RGBA32F  buffer: table of the pages, 16 bytes an entry; or kd-trees, 48 bytes a node
  *
- * Parameters: metric (dynamic, static, none; default dynamic), antialias (default on), resolution
+ * Parameters: metric (dynamic, static, none; default dynamic), texel (0.0625 to
+ * 16 times the metric's, default 1), antialias (default on), resolution
  * (side of a tile's map, 16 to 16384 texels, default 0: 512, with metric=none as the picture's),
  * cache (default on), budget (of pages, 1 to 16384 MB, default 256), coarse (side of the coarse
  * maps, 32 to 4096 texels, default 256).

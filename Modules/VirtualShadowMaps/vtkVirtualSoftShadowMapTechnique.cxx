@@ -213,6 +213,7 @@ std::size_t vtkVirtualSoftShadowMapTechnique::FindKernels(
         program->SetUniform4f("shadowWRow", glm::value_ptr(wRow));
         program->SetUniform3fv("shadowPixelVC", 2, pixels);
         frame.SetLights(program);
+        program->SetUniformf("shadowTexel", static_cast<float>(this->Settings.GetReal("texel")));
         this->Views.SetParameters(program, frame, this->Part, this->Turn);
       });
     receivers.Deactivate(frame.Window);

@@ -30,6 +30,10 @@ vtkShadowDeclaration Declare()
   t.Parameters = { vtkShadowParameter::Choice("metric", "dynamic", { "dynamic", "static", "none" },
                      "How many texels a penumbra takes: by the paper's user study of moving or of "
                      "still scenes; none: one map of the whole light, whatever is needed"),
+    vtkShadowParameter::Real("texel", 1.0, 0.0625, 16.0,
+      "Texels against those that the metric asks for: smaller ones are finer, and cost more")
+      .In("of the metric's")
+      .At({ 2.0, 1.0, 1.0, 0.5 }),
     vtkShadowParameter::Boolean("antialias", true,
       "Widen each filter by its pixel's footprint on the receiver, so that no shadow is sharper "
       "than a pixel"),

@@ -12,6 +12,7 @@
 uniform sampler2DArray shadowReceivers;
 uniform sampler2DArray shadowCoarse; // the maps that the pyramid is of
 uniform int shadowLight;
+uniform float shadowTexel;    // against what the metric asks for
 uniform vec4 shadowEyeVC;     // where lines of sight meet, or the direction towards the viewer
 uniform vec4 shadowWRow;      // of VCToClip
 uniform vec3 shadowPixelVC[2]; // what moves by a pixel, times w
@@ -189,7 +190,7 @@ void main()
   // What the light grazes is hardly lit: its pixels are at most so narrow over the map.
   float w = abs(dot(shadowWRow, vec4(receiverVC.xyz, 1.0)));
   float facing = 0.5 * w * min(length(shadowPixelVC[0]), length(shadowPixelVC[1])) / place.w;
-  texel = max(texel, facing / SHADOW_VIEW(view, 6).yz);
+  texel = shadowTexel * max(texel, facing / SHADOW_VIEW(view, 6).yz);
 #ifndef SHADOW_ANTIALIAS
   filtered = shadowDecompose(soft);
   filtered.xz = max(filtered.xz, 1e-3 * texel); // a box of no size has no weight

@@ -86,7 +86,8 @@ SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionVC, vec3 normalVC)
     vec2 within = max(1.0 - over, 1e-3);
     float beside = cut ? sums.z * (1.0 / (within.x * within.y) - 1.0)
       : 4.0 * kernel.x * kernel.z - sums.z;
-    beside = beside > 1e-3 * sums.z ? beside : 0.0;
+    bool crosses = any(lessThan(centre, reach)) || any(greaterThan(centre + reach, vec2(1.0)));
+    beside = crosses ? max(beside, 0.0) : 0.0;
     float all = sums.y + beside;
     visibility *= all > 0.0 ? clamp(1.0 - sums.x / all, 0.0, 1.0) : 1.0;
   }
