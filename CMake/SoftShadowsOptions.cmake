@@ -14,6 +14,7 @@ set(softshadows_families
   "SHADOW_MAPS:ShadowMaps:Shadow maps and their filters, map-*"
   "PLANAR_SHADOWS:PlanarShadows:Shadows projected onto planes, planar-*"
   "SHADOW_VOLUMES:ShadowVolumes:Stencil shadow volumes (OpenMesh), volume-*"
+  "VIRTUAL_SHADOW_MAPS:VirtualShadowMaps:Soft shadow maps of predicted resolution, virtual-maps"
   "RAY_TRACING:RayTracing:Ray-traced reference (Embree), ray-traced")
 set(softshadows_family_modules)
 set(softshadows_switches "IMAGE_METRICS:ImageMetrics" "SCENES:Scenes")

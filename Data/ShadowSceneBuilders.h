@@ -25,6 +25,7 @@ void Basic(vtkRenderer* renderer, int triangles);
 void Blocker(vtkRenderer* renderer, int triangles);
 void Boxes(vtkRenderer* renderer, int triangles);
 void Cylinder(vtkRenderer* renderer, int triangles);
+void Grid(vtkRenderer* renderer, int triangles);
 
 // ShadowSceneBunny.cxx
 void Bunny(vtkRenderer* renderer, int triangles);

@@ -99,6 +99,40 @@ void ShadowSceneBuilders::Blocker(vtkRenderer* renderer, int)
 }
 
 //------------------------------------------------------------------------------
+// 166 triangles: 41 bars each way, two of the floor. From near, penumbrae of many pixels; towards the
+// horizon many bars within a pixel.
+void ShadowSceneBuilders::Grid(vtkRenderer* renderer, int)
+{
+  static constexpr int bars = 41;
+  static constexpr double half = 20.0;
+  static constexpr double width = 0.25;
+  static constexpr double height = 1.0;
+  stage::AddFloor(renderer, 30.0);
+
+  ShadowSceneMesh grid;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    for (int k = 0; k < bars; ++k)
+    {
+      const double middle = half * (2.0 * k / (bars - 1) - 1.0);
+      grid.AddGrid(1, 1, false, false,
+        [axis, middle](double u, double v, vtkVector3d& point, vtkVector3d& normal)
+        {
+          const double along = half * (2.0 * (axis == 0 ? u : v) - 1.0);
+          const double across = middle + width * ((axis == 0 ? v : u) - 0.5);
+          point.Set(axis == 0 ? along : across, axis == 0 ? across : along, height);
+          normal.Set(0.0, 0.0, 1.0);
+        });
+    }
+  }
+  stage::AddActor(renderer, grid, stage::Clay);
+
+  stage::AddRectangleLight(
+    renderer, vtkVector3d(-6.0, -4.0, 24.0), vtkVector3d(0.0, 0.0, 0.0), 1.5, 1.5);
+  stage::SetCamera(renderer, vtkVector3d(1.3, -24.5, 4.2), vtkVector3d(0.0, -12.0, 0.2));
+}
+
+//------------------------------------------------------------------------------
 void ShadowSceneBuilders::Cylinder(vtkRenderer* renderer, int)
 {
   stage::AddFloor(renderer, 9.0);

@@ -288,7 +288,8 @@ vtkShadowPrograms::Program* vtkShadowCasterDrawing::Bind(vtkOpenGLRenderWindow* 
     program->VertexArray->Bind();
     program->VertexArray->AddAttributeArray(
       program->Shaders, gpu.Vertices, "vertexMC", 0, 3 * sizeof(float), VTK_FLOAT, 3, false);
-    if (holes)
+    // Shaders without the marks fill holes.
+    if (holes && program->Shaders->IsAttributeUsed("shadowPlace"))
     {
       program->VertexArray->AddAttributeArray(
         program->Shaders, gpu.Places, "shadowPlace", 0, 3 * sizeof(float), VTK_FLOAT, 3, false);

@@ -200,9 +200,10 @@ SHADOW_TEST(Filters, BlurHasNoHalo, Each)
 // resolution=0 follows the picture in powers of two, so that few sizes need new maps.
 SHADOW_TEST(Filters, ResolutionFollowsThePicture, Each)
 {
-  // Of layers along planes: Planar.ResolutionFollowsThePicture.
+  // Of layers along planes: Planar.ResolutionFollowsThePicture. What is made from receivers follows these.
   if (!ShadowStage::HasParameter(technique, "resolution") ||
-      ShadowStage::Describe(technique).Traits.PlanarReceivers)
+      ShadowStage::Describe(technique).Traits.PlanarReceivers ||
+      ShadowStage::Describe(technique).Traits.NeedsReceivers)
   {
     return;
   }

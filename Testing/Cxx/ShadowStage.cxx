@@ -274,7 +274,8 @@ vtkActor* ShadowStage::AddThings()
 vtkShadowPass* ShadowStage::SetPass(const std::string& technique, const Parameters& parameters)
 {
   // Laws and closed forms are those of the geometry as it is.
-  Parameters all = { { "samples", "16" }, { "resolution", "256" }, { "terminator", "facets" } };
+  Parameters all = { { "samples", "16" }, { "resolution", "256" }, { "terminator", "facets" },
+    { "antialias", "off" } };
   for (const auto& parameter : parameters)
   {
     all[parameter.first] = parameter.second;

@@ -249,9 +249,11 @@ SHADOW_TEST(Terrain, HillsAgainstRays, Each)
         const std::string what = std::to_string(side) + (kind == Kind::Grid ? " grid" : " quads") +
                                  ", sun at " + std::to_string(static_cast<int>(sun)) + ": falsely ";
         ShadowTest::CheckAtLeast(receivers, 10000.0, what + "receivers");
-        ShadowTest::CheckAtMost(dark / receivers, 0.01, what + "dark");
-        ShadowTest::CheckAtMost(
-          lit / receivers, IsVolumeOrRay(technique) ? 0.003 : 0.02, what + "lit");
+        // Texels that the picture's pixels choose are larger than the mesh's cells.
+        const bool byPixels = ShadowStage::Describe(technique).Traits.NeedsReceivers;
+        ShadowTest::CheckAtMost(dark / receivers, byPixels ? 0.015 : 0.01, what + "dark");
+        ShadowTest::CheckAtMost(lit / receivers,
+          IsVolumeOrRay(technique) ? 0.003 : (byPixels ? 0.04 : 0.02), what + "lit");
       }
     }
   }

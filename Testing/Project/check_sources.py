@@ -26,6 +26,7 @@ BELOW = {
     "RayTracing": ["Casters", "Drawing", "Core"],
     "ShadowMaps": ["Casters", "Drawing", "Core"],
     "ShadowVolumes": ["Casters", "Drawing", "Core"],
+    "VirtualShadowMaps": ["Casters", "Drawing", "Core"],
     "ImageMetrics": [],
 }
 # In Core, the parts of the pass that can be read by themselves know neither it nor its state.

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkVirtualShadowViews.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkShadowCasterDrawing.h"
+#include "vtkShadowFrame.h"
+#include "vtkShadowOpenGL.h"
+#include "vtkVirtualCoarseFS.h"
+#include "vtkVirtualCoarseGS.h"
+#include "vtkVirtualViewsFS.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+/** Rounding of a 32-bit depth in the rasterizer, as a share of the map's depth range. */
+constexpr double DepthRounding = 1.0 / 1048576.0;
+
+/** A map's border that stays clear of casters, in texels of the coarse map. */
+constexpr double BorderTexels = 2.0;
+
+/** Of what is turned either way a layer. */
+constexpr int Sides = 2;
+
+/** So many groups of casters get views of their own. */
+constexpr int MostGroups = 4;
+
+constexpr int VectorsOfView = 11;
+
+/** Variance of a disk along an axis, against that of the square around it: half side 0.866 R. */
+constexpr double VarianceOfDisk = 0.75;
+}
+
+//------------------------------------------------------------------------------
+bool vtkVirtualShadowViews::Update(vtkShadowFrame& frame, int side)
+{
+  this->Changes.Update(frame, this->Coarse.GetWidth() != side && this->Coarse.GetWidth() > 1);
+  std::vector<Part> parts;
+  std::vector<bool> changed;
+  int layers = 0;
+  for (int i = 0; i < static_cast<int>(frame.Parts.size()); ++i)
+  {
+    const bool same = this->Changes.IsSame(i);
+    Part part;
+    if (same && !this->Changes.HaveReceiversMoved())
+    {
+      part = this->Parts[i];
+    }
+    else
+    {
+      vtkLightFrusta::Options options;
+      options.Border = BorderTexels / side;
+      options.Texel = 1.0 / side;
+      options.Neighbours = true;
+      options.Groups = MostGroups;
+      const vtkLightFrusta frusta(frame.Parts[i], *frame.Casters, options);
+      const vtkShadowLight& light = frame.Parts[i].Light;
+      part.Views = frusta.GetViews(light.IsDirectional() ? -light.Direction : light.Position);
+      part.Exceeded =
+        !part.Views.empty() && part.Views.front().Face && frusta.IsOverlapExceeded(*frame.Casters);
+    }
+    part.FirstLayer = layers;
+    layers += Sides * static_cast<int>(part.Views.size());
+    const bool kept = same && part.FirstLayer == this->Parts[i].FirstLayer &&
+                      std::equal(part.Views.begin(), part.Views.end(), this->Parts[i].Views.begin(),
+                        this->Parts[i].Views.end(),
+                        [](const auto& a, const auto& b)
+                        { return a.SWCToClip == b.SWCToClip && a.Casters == b.Casters; });
+    changed.push_back(!kept);
+    parts.push_back(std::move(part));
+  }
+  this->Parts = std::move(parts);
+  const unsigned long before = this->Coarse.GetGeneration();
+  if (!this->Coarse.Allocate(frame.Window, vtkShadowTexture::Format::Depth, layers > 0 ? side : 1,
+        layers > 0 ? side : 1, std::max(1, layers)) ||
+      !this->Pyramid.Allocate(frame.Window, this->Coarse))
+  {
+    this->Release(frame.Window);
+    return false;
+  }
+  frame.Counts["coarseMapsDrawn"] = 0;
+  for (std::size_t i = 0; i < this->Parts.size(); ++i)
+  {
+    if ((changed[i] || before != this->Coarse.GetGeneration()) && !this->Parts[i].Views.empty())
+    {
+      this->Draw(frame, this->Parts[i]);
+      frame.Counts["coarseMapsDrawn"] += static_cast<double>(this->Parts[i].Views.size());
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkVirtualShadowViews::Draw(vtkShadowFrame& frame, const Part& part)
+{
+  const int count = static_cast<int>(part.Views.size());
+  {
+    vtkShadowTimers::Scope timer(*frame.Timers, "coarse maps");
+    vtkOpenGLState* state = frame.Window->GetState();
+    vtkOpenGLState::ScopedglDepthMask depthMask(state);
+    vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
+    vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+    vtkOpenGLState::ScopedglEnableDisable cullFace(state, GL_CULL_FACE);
+    state->vtkglDepthMask(GL_TRUE);
+    state->vtkglDepthFunc(GL_LESS);
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDisable(GL_CULL_FACE);
+    vtkShadowCasterDraw how;
+    how.GeometryShader = vtkVirtualCoarseGS;
+    how.FragmentShader = vtkVirtualCoarseFS;
+    const auto side = static_cast<float>(this->Coarse.GetWidth());
+    float turn = 1.0f;
+    how.SetParameters = [side, &turn](vtkShaderProgram* program)
+    {
+      program->SetUniformf("shadowSide", side);
+      program->SetUniformf("shadowTurn", turn);
+    };
+    vtkShadowFramebuffer::Scope target(
+      frame.Window, this->Framebuffer, nullptr, &this->Coarse, part.FirstLayer);
+    for (int i = 0; i < Sides * count; ++i)
+    {
+      target.SetLayer(part.FirstLayer + i);
+      const float farthest = 1.0f;
+      glClearBufferfv(GL_DEPTH, 0, &farthest);
+      turn = i % Sides == 0 ? 1.0f : -1.0f;
+      const vtkLightView& view = part.Views[i / Sides];
+      frame.Drawing->Draw(frame.Window, view.SWCToClip, view.Casters, how);
+    }
+  }
+  this->Pyramid.Build(frame, this->Coarse, part.FirstLayer, Sides * count);
+}
+
+//------------------------------------------------------------------------------
+bool vtkVirtualShadowViews::IsOverlapExceeded() const
+{
+  return std::any_of(
+    this->Parts.begin(), this->Parts.end(), [](const Part& part) { return part.Exceeded; });
+}
+
+//------------------------------------------------------------------------------
+void vtkVirtualShadowViews::Activate(vtkShadowFrame& frame)
+{
+  this->Coarse.Activate(frame.Window);
+  this->Pyramid.Activate(frame.Window);
+}
+
+//------------------------------------------------------------------------------
+void vtkVirtualShadowViews::Deactivate(vtkShadowFrame& frame)
+{
+  this->Pyramid.Deactivate(frame.Window);
+  this->Coarse.Deactivate(frame.Window);
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkVirtualShadowViews::Turn> vtkVirtualShadowViews::GetTurns(int part) const
+{
+  const auto& views = this->Parts[part].Views;
+  const int count = static_cast<int>(views.size());
+  if (count < 2 || views.front().Face)
+  {
+    return { { 0, count } };
+  }
+  std::vector<Turn> turns;
+  for (int i = 0; i < count; ++i)
+  {
+    turns.push_back({ i, 1 });
+  }
+  return turns;
+}
+
+//------------------------------------------------------------------------------
+void vtkVirtualShadowViews::SetParameters(
+  vtkShaderProgram* program, const vtkShadowFrame& frame, int index, const Turn& range)
+{
+  const Part& part = this->Parts[index];
+  const vtkShadowLight& light = frame.Parts[index].Light;
+  const bool sphere = light.Kind == vtkShadowLight::Shape::Sphere;
+  const double radius = sphere ? glm::length(light.U) : 0.0;
+  const glm::dmat4 toUnit =
+    glm::scale(glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)), glm::dvec3(0.5));
+  const glm::dmat4 SWCToVC = frame.GetSWCToVC();
+  const glm::dmat3 turn(SWCToVC);
+  float vectors[VectorsOfView * Most][4] = {};
+  for (int i = 0; i < range.Count; ++i)
+  {
+    const vtkLightView& view = part.Views[range.First + i];
+    const auto set = [&vectors, i](int vector, const glm::dvec4& value)
+    {
+      for (int c = 0; c < 4; ++c)
+      {
+        vectors[VectorsOfView * i + vector][c] = static_cast<float>(value[c]);
+      }
+    };
+    glm::dmat4 rows = glm::transpose(toUnit * view.SWCToClip * frame.VCToSWC);
+    rows[2] -= DepthRounding * rows[3];
+    for (int r = 0; r < 4; ++r)
+    {
+      set(r, rows[r]);
+    }
+    const glm::dvec4 place = SWCToVC * glm::dvec4(view.Place, light.IsDirectional() ? 0.0 : 1.0);
+    const glm::dvec2 window(glm::length(view.WindowX), glm::length(view.WindowY));
+    const glm::dvec3 x = view.WindowX / window.x;
+    const glm::dvec3 y = view.WindowY / window.y;
+    const glm::dvec3 z = glm::cross(x, y); // along the axis: windows are right-handed with it
+    set(4, glm::dvec4(turn * x, place.x));
+    set(5, glm::dvec4(turn * y, place.y));
+    set(6, glm::dvec4(view.DepthScale, window, place.z));
+    const glm::dvec2 scale = 1.0 / (window * view.DepthScale);
+    set(7, glm::dvec4(glm::dot(light.U, x), glm::dot(light.U, y), glm::dot(light.V, x),
+             glm::dot(light.V, y)) *
+             glm::dvec4(scale, scale));
+    set(8, glm::dvec4(glm::dot(light.U, z), glm::dot(light.V, z),
+             part.FirstLayer + Sides * (range.First + i), view.Face ? 1.0 : 0.0));
+    const bool square = light.Kind == vtkShadowLight::Shape::Rectangle;
+    set(9, glm::dvec4(radius, square ? 1.0 : VarianceOfDisk, 0.0, 0.0));
+    const auto& cut = view.Cut;
+    set(10,
+      glm::dvec4(cut[0] ? 0.0 : -1e6, cut[1] ? 0.0 : -1e6, cut[2] ? 1.0 : 1e6, cut[3] ? 1.0 : 1e6));
+  }
+  program->SetUniformi("shadowViewCount", range.Count);
+  program->SetUniform4fv("shadowViews", VectorsOfView * Most, vectors);
+  program->SetUniformi("shadowCoarse", this->Coarse.GetUnit());
+  this->Pyramid.SetParameters(program);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVirtualShadowViews::GetGLSL()
+{
+  return vtkShadowDepthPyramid::GetGLSL() + vtkVirtualViewsFS;
+}
+
+//------------------------------------------------------------------------------
+void vtkVirtualShadowViews::Release(vtkOpenGLRenderWindow* window)
+{
+  this->Coarse.Release(window);
+  this->Pyramid.Release(window);
+  this->Framebuffer.Release(window);
+  this->Parts.clear();
+  this->Changes.Reset();
+}
