@@ -47,6 +47,7 @@ const Scene Scenes[] = {
   { "isosurface", "An isosurface: a gyroid ball", Isosurface, 0, 0, 0 },
   { "streamtubes", "Stream tubes of a tornado", Streamtubes, 0, 0, 0 },
   { "molecule", "A double helix and a fullerene of spheres and tubes", Molecule, 48450, 0, 0 },
+  { "figure", "A scientist's figure: isosurface, tubes, arrows, slice", Figure, 0, 0, 0 },
   { "terrain", "Noise terrain under a low sun", Terrain, 64800, 0, 0 },
 };
 
