@@ -38,6 +38,8 @@ constexpr Accuracy Accuracies[] = {
   // Blockers that are parallel to the light have one depth each, so that one map tells all.
   { "map-pcss", 64, 0.02, false },
   { "map-combined", 64, 0.02, false },
+  { "map-trace", 16, 0.015, false },
+  { "map-trace", 64, 0.015, false },
 };
 
 double Clamp(double value)
