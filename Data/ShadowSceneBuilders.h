@@ -45,6 +45,9 @@ void Isosurface(vtkRenderer* renderer, int triangles);
 void Streamtubes(vtkRenderer* renderer, int triangles);
 void Terrain(vtkRenderer* renderer, int triangles);
 
+// ShadowSceneFigure.cxx
+void Figure(vtkRenderer* renderer, int triangles);
+
 // ShadowSceneMolecule.cxx
 void Molecule(vtkRenderer* renderer, int triangles);
 }

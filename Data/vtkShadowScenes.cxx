@@ -48,6 +48,7 @@ const Scene Scenes[] = {
   { "streamtubes", "Stream tubes of a tornado", Streamtubes, 0, 0, 0 },
   { "molecule", "A double helix and a fullerene of spheres and tubes", Molecule, 48450, 0, 0 },
   { "grid", "A large grid of bars over a floor, up to the horizon", Grid, 166, 0, 0 },
+  { "figure", "A scientist's figure: isosurface, tubes, arrows, slice", Figure, 0, 0, 0 },
   { "terrain", "Noise terrain under a low sun", Terrain, 64800, 0, 0 },
   { "scan", "A scanned body: uneven triangles, noise of several scales, no normals", Scan, 199694,
     0, 0 },

@@ -48,10 +48,14 @@ void vtkShadowDepthPyramid::Build(
   };
   vtkShadowFramebuffer::Scope target(
     frame.Window, this->Framebuffer, &this->Pyramid, nullptr, first);
-  const std::string source = vtkShadowDepthPyramidFS;
+  const std::string mark = "//VTK::Output::Dec";
+  std::string source = vtkShadowDepthPyramidFS;
+  if (maps.GetFormat() == vtkShadowTexture::Format::Float4)
+  {
+    vtkShaderProgram::Substitute(source, mark, "#define SHADOW_OF_SLABS\n" + mark);
+  }
   std::string firstSource = source;
-  vtkShaderProgram::Substitute(
-    firstSource, "//VTK::Output::Dec", "#define SHADOW_FIRST_LEVEL\n//VTK::Output::Dec");
+  vtkShaderProgram::Substitute(firstSource, mark, "#define SHADOW_FIRST_LEVEL\n" + mark);
   for (int level = 0; level < this->Pyramid.GetLevels(); ++level)
   {
     if (level > 0)

@@ -26,7 +26,12 @@ class VTKSOFTSHADOWSDRAWING_EXPORT vtkShadowDepthPyramid
 public:
   /** Make it fit maps of this many layers. False when out of memory. */
   bool Allocate(vtkOpenGLRenderWindow* window, const vtkShadowTexture& maps);
-  /** Build the levels of some layers of the maps that it was allocated for. */
+  int GetLevels() const { return this->Pyramid.GetLevels(); }
+  /**
+   * Build the levels of some layers of the maps that it was allocated for. Maps of four numbers a texel hold
+   * slabs: a depth, or 1e30 for nothing; another one behind it; the slope over a texel of a plane through the
+   * first. The greatest depth is then that of slabs, and negative where there also is nothing.
+   */
   void Build(vtkShadowFrame& frame, const vtkShadowTexture& maps, int first, int count);
 
   void Activate(vtkOpenGLRenderWindow* window) { this->Pyramid.Activate(window); }

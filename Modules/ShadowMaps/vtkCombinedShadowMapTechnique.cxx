@@ -3,6 +3,7 @@
 
 #include "vtkCombinedShadowMapFS.h"
 #include "vtkShadowFrame.h"
+#include "vtkShadowMapFilterFS.h"
 #include "vtkShadowMapJitterFS.h"
 #include "vtkShadowMapPattern.h"
 #include "vtkShadowMapSearchFS.h"
@@ -17,5 +18,6 @@ void vtkCombinedShadowMapTechnique::UpdatePatterns(vtkShadowFrame& frame)
 //------------------------------------------------------------------------------
 std::string vtkCombinedShadowMapTechnique::GetFilterGLSL()
 {
-  return std::string(vtkShadowMapSearchFS) + vtkShadowMapJitterFS + vtkCombinedShadowMapFS;
+  return std::string(vtkShadowMapFilterFS) + vtkShadowMapSearchFS + vtkShadowMapJitterFS +
+         vtkCombinedShadowMapFS;
 }

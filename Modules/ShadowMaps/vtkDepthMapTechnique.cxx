@@ -51,7 +51,7 @@ bool vtkDepthMapTechnique::UpdateMaps(vtkShadowFrame& frame, int samples, double
 {
   vtkShadowMapSettings settings;
   settings.Samples = samples;
-  settings.Midpoint = this->Settings.GetBoolean("midpoint");
+  settings.Midpoint = this->Settings.Has("midpoint") && this->Settings.GetBoolean("midpoint");
   settings.Bilinear = this->Settings.GetChoice("filter") == "bilinear";
   settings.MemoryLimit = static_cast<std::size_t>(megabytes * 1048576.0);
   const int asked = this->Settings.GetInteger("resolution");

@@ -47,7 +47,7 @@ public:
   void SetVisibilityParameters(vtkShaderProgram* program) override;
 
 protected:
-  /** The GLSL of the technique: what defines shadowFilter. */
+  /** The GLSL of the technique: what defines shadowVisibility, such as vtkShadowMapFilterFS and a shadowFilter. */
   virtual std::string GetFilterGLSL() = 0;
   /** `#define`s that it wants of vtkShadowMapKernelFS.glsl. */
   virtual std::string GetKernelDefinitions() { return ""; }

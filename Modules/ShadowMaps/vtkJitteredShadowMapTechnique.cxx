@@ -7,6 +7,7 @@
 #include "vtkShadowFrame.h"
 #include "vtkShadowGL.h"
 #include "vtkShadowMapConstantFS.h"
+#include "vtkShadowMapFilterFS.h"
 #include "vtkShadowMapJitterFS.h"
 #include "vtkShadowSampling.h"
 
@@ -94,7 +95,8 @@ void vtkJitteredShadowMapTechnique::UpdatePatterns(vtkShadowFrame& frame)
 //------------------------------------------------------------------------------
 std::string vtkJitteredShadowMapTechnique::GetFilterGLSL()
 {
-  return std::string(vtkShadowMapConstantFS) + vtkShadowMapJitterFS + vtkJitteredShadowMapFS;
+  return std::string(vtkShadowMapFilterFS) + vtkShadowMapConstantFS + vtkShadowMapJitterFS +
+         vtkJitteredShadowMapFS;
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #include "vtkPercentageCloserFilteringFS.h"
 #include "vtkShadowFrame.h"
 #include "vtkShadowMapConstantFS.h"
+#include "vtkShadowMapFilterFS.h"
 #include "vtkShadowMapPattern.h"
 #include "vtkShadowMapPatternFS.h"
 
@@ -16,6 +17,6 @@ void vtkPercentageCloserFilteringTechnique::UpdatePatterns(vtkShadowFrame& frame
 //------------------------------------------------------------------------------
 std::string vtkPercentageCloserFilteringTechnique::GetFilterGLSL()
 {
-  return std::string(vtkShadowMapConstantFS) + vtkShadowMapPatternFS +
+  return std::string(vtkShadowMapFilterFS) + vtkShadowMapConstantFS + vtkShadowMapPatternFS +
          vtkPercentageCloserFilteringFS;
 }

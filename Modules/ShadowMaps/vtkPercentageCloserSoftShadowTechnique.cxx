@@ -3,6 +3,7 @@
 
 #include "vtkPercentageCloserSoftShadowFS.h"
 #include "vtkShadowFrame.h"
+#include "vtkShadowMapFilterFS.h"
 #include "vtkShadowMapPattern.h"
 #include "vtkShadowMapPatternFS.h"
 #include "vtkShadowMapSearchFS.h"
@@ -17,6 +18,6 @@ void vtkPercentageCloserSoftShadowTechnique::UpdatePatterns(vtkShadowFrame& fram
 //------------------------------------------------------------------------------
 std::string vtkPercentageCloserSoftShadowTechnique::GetFilterGLSL()
 {
-  return std::string(vtkShadowMapSearchFS) + vtkShadowMapPatternFS +
+  return std::string(vtkShadowMapFilterFS) + vtkShadowMapSearchFS + vtkShadowMapPatternFS +
          vtkPercentageCloserSoftShadowFS;
 }

@@ -12,6 +12,8 @@
 #include "vtkPercentageCloserSoftShadowPass.h"
 #include "vtkPercentageCloserSoftShadowTechnique.h"
 #include "vtkShadowMapParameters.h"
+#include "vtkTracedShadowMapPass.h"
+#include "vtkTracedShadowMapTechnique.h"
 
 namespace
 {
@@ -172,9 +174,42 @@ vtkShadowDeclaration Combined()
   return t;
 }
 
+vtkShadowDeclaration Traced()
+{
+  auto t = Make<vtkTracedShadowMapTechnique, vtkTracedShadowMapPass>(
+    "map-trace", "Rays followed through a depth map", "vtkTracedShadowMapPass", true);
+  t.Paper = "Shadow map ray tracing of Unreal Engine 5 (virtual shadow maps) and of EEVEE (Blender "
+            "4.2); Tevs, "
+            "Ihrke and Seidel, Maximum mipmaps for fast, accurate, and scalable dynamic height "
+            "field rendering, "
+            "I3D 2008; Keller and Heidrich, Interleaved sampling, EGRW 2001";
+  t.Parameters = { Resolution(), Filter("bilinear"), Skipping(),
+    vtkShadowParameter::Integer("samples", 16, 1, 256,
+      "Rays of a receiver to points of the light; other ones in each of 16 pixels")
+      .In("rays")
+      .At({ 8, 16, 16, 64 }),
+    vtkShadowParameter::Boolean("denoise", true,
+      "Take the mean over 16 pixels of what lies on the same surface, in screen space; off: each "
+      "pixel by itself, "
+      "with noise, forward too") };
+  t.Resources[1] = "slabs, 16 bytes a texel of each map and 20 of one";
+  t.Resources.back() =
+    "with denoise=on or evaluation=screen receivers 16 bytes, depth 4 bytes, visibility 4 bytes "
+    "a light (16 textured), a mask as one light's, each a pixel";
+  t.Limits = { "One map from the light's centre: of what lies behind the first body, the rays that "
+               "cross it know "
+               "no more than that a surface beside it goes on.",
+    "A light among its casters: what it casts further than 31 degrees beyond a cube's face is "
+    "missing.",
+    "Of translucent surfaces the nearest of a pixel receives; with denoise=off and "
+    "evaluation=forward all do." };
+  return t;
+}
+
 const vtkShadowTechniqueRegistration filtering(Filtering());
 const vtkShadowTechniqueRegistration blurred(Blurred());
 const vtkShadowTechniqueRegistration jittered(Jittered());
 const vtkShadowTechniqueRegistration softShadows(SoftShadows());
 const vtkShadowTechniqueRegistration combined(Combined());
+const vtkShadowTechniqueRegistration traced(Traced());
 }

@@ -9,6 +9,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPercentageCloserFilteringPass.h"
 #include "vtkPercentageCloserSoftShadowPass.h"
+#include "vtkTracedShadowMapPass.h"
 
 vtkShadowPassOfTechniqueMacro(vtkAccumulatedShadowMapPass, "map-soft");
 vtkShadowPassOfTechniqueMacro(vtkBlurredShadowMapPass, "map-blur");
@@ -17,3 +18,4 @@ vtkShadowPassOfTechniqueMacro(vtkHardShadowMapPass, "map-hard");
 vtkShadowPassOfTechniqueMacro(vtkJitteredShadowMapPass, "map-jitter");
 vtkShadowPassOfTechniqueMacro(vtkPercentageCloserFilteringPass, "map-pcf");
 vtkShadowPassOfTechniqueMacro(vtkPercentageCloserSoftShadowPass, "map-pcss");
+vtkShadowPassOfTechniqueMacro(vtkTracedShadowMapPass, "map-trace");

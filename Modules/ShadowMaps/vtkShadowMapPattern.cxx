@@ -6,6 +6,8 @@
 
 #include <glm/common.hpp>
 
+#include <utility>
+
 //------------------------------------------------------------------------------
 void vtkShadowMapPattern::SetGrid(vtkOpenGLRenderWindow* window, int n, double scale)
 {
@@ -17,7 +19,7 @@ void vtkShadowMapPattern::SetGrid(vtkOpenGLRenderWindow* window, int n, double s
       scale * glm::dvec4(vtkShadowSampling::ConcentricDisk(unit), 2.0 * unit - 1.0));
   }
   this->Points.UploadBuffer(window, texels);
-  this->Count = n * n;
+  this->Values = std::move(texels);
 }
 
 //------------------------------------------------------------------------------
@@ -37,5 +39,5 @@ void vtkShadowMapPattern::SetSobol(vtkOpenGLRenderWindow* window, int count, boo
     texels[0] = glm::vec4(0.0f);
   }
   this->Points.UploadBuffer(window, texels);
-  this->Count = count;
+  this->Values = std::move(texels);
 }

@@ -9,6 +9,10 @@
 #include "vtkShadowGL.h"                    // For textures
 #include "vtkSoftShadowsShadowMapsModule.h" // For export macro
 
+#include <glm/vec4.hpp>
+
+#include <vector>
+
 class VTKSOFTSHADOWSSHADOWMAPS_EXPORT vtkShadowMapPattern
 {
 public:
@@ -18,11 +22,12 @@ public:
   void SetSobol(vtkOpenGLRenderWindow* window, int count, bool centre);
 
   vtkShadowTexture& GetTexture() { return this->Points; }
-  int GetCount() const { return this->Count; }
+  const std::vector<glm::vec4>& GetPoints() const { return this->Values; }
+  int GetCount() const { return static_cast<int>(this->Values.size()); }
 
 private:
   vtkShadowTexture Points;
-  int Count = 0;
+  std::vector<glm::vec4> Values;
 };
 
 #endif

@@ -44,8 +44,8 @@ bool vtkShadowMapSettings::operator==(const vtkShadowMapSettings& other) const
 {
   const auto tie = [](const vtkShadowMapSettings& s)
   {
-    return std::tie(
-      s.Resolution, s.Samples, s.Bilinear, s.Midpoint, s.Neighbours, s.Separation, s.MemoryLimit);
+    return std::tie(s.Resolution, s.Samples, s.Bilinear, s.Midpoint, s.Slabs, s.Neighbours,
+      s.Separation, s.MemoryLimit);
   };
   return tie(*this) == tie(other);
 }
@@ -136,7 +136,8 @@ bool vtkShadowMaps::Update(vtkShadowFrame& frame, const vtkShadowMapSettings& se
     this->ViewVectors.Get().clear();
     this->ViewVectors.Update(frame.Window, true);
     return this->Maps.Allocate(frame.Window, vtkShadowTexture::Format::Depth, 1, 1, 1) &&
-           (!settings.Neighbours || this->Pyramid.Allocate(frame.Window, this->Maps));
+           (!settings.Neighbours || this->Pyramid.Allocate(frame.Window, this->Maps)) &&
+           (!settings.Slabs || this->Slabs.Allocate(frame.Window, this->Maps));
   }
 
   int mostLayers = 256;
@@ -150,7 +151,8 @@ bool vtkShadowMaps::Update(vtkShadowFrame& frame, const vtkShadowMapSettings& se
   if (!this->Maps.Allocate(frame.Window, vtkShadowTexture::Format::Depth, settings.Resolution,
         settings.Resolution, this->BatchSize) ||
       (settings.Neighbours && !this->Pyramid.Allocate(frame.Window, this->Maps)) ||
-      (settings.Midpoint && !this->AllocateLayers(frame.Window)))
+      (settings.Midpoint && !this->AllocateLayers(frame.Window)) ||
+      (settings.Slabs && !this->Slabs.Allocate(frame.Window, this->Maps)))
   {
     this->Release(frame.Window);
     return false;
@@ -175,7 +177,8 @@ bool vtkShadowMaps::Update(vtkShadowFrame& frame, const vtkShadowMapSettings& se
         this->Draw(frame, this->Parts[i].First, this->Parts[i].Count);
         if (settings.Neighbours)
         {
-          this->Pyramid.Build(frame, this->Maps, this->Parts[i].First, this->Parts[i].Count);
+          this->Pyramid.Build(frame, settings.Slabs ? this->Slabs.GetTexture() : this->Maps,
+            this->Parts[i].First, this->Parts[i].Count);
         }
       }
     }
@@ -230,6 +233,15 @@ void vtkShadowMaps::Draw(vtkShadowFrame& frame, int first, int count)
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);
   frame.Counts["mapsDrawn"] += count;
+  if (this->Current.Slabs)
+  {
+    for (int i = first; i < first + count; ++i)
+    {
+      this->Slabs.Draw(frame, this->Views[i].Frustum, this->Maps, i - this->BatchFirst,
+        [this, state] { this->ClearLayer(state); });
+    }
+    return;
+  }
   if (this->Current.Midpoint)
   {
     for (int i = first; i < first + count; ++i)
@@ -284,6 +296,10 @@ void vtkShadowMaps::ReleaseUnused(vtkOpenGLRenderWindow* window)
   if (!this->Current.Neighbours)
   {
     this->Pyramid.Release(window);
+  }
+  if (!this->Current.Slabs)
+  {
+    this->Slabs.Release(window);
   }
   for (int layer = 0; !this->Current.Midpoint && layer < 2; ++layer)
   {
@@ -459,7 +475,8 @@ std::string vtkShadowMaps::GetGLSL() const
                        "\n#define SHADOW_MAP_SIDE " + std::to_string(this->Current.Resolution) +
                        ".0\n" + (this->Current.Bilinear ? "#define SHADOW_BILINEAR\n" : "") +
                        (clipped ? "#define SHADOW_CLIPPED_VIEWS\n" : "") +
-                       (cut ? "#define SHADOW_CUT_VIEWS\n" : "");
+                       (cut ? "#define SHADOW_CUT_VIEWS\n" : "") + "#define SHADOW_MAP_LEVELS " +
+                       std::to_string(this->Pyramid.GetLevels()) + "\n";
   if (this->ViewVectors.AreFew())
   {
     // Choices, which fold where the light is a constant: an array of constants may become memory, and
@@ -493,11 +510,16 @@ void vtkShadowMaps::Activate(vtkShadowFrame& frame)
     this->Depths.Activate(frame.Window, this->Maps, vtkShadowTexture::Sampling::Nearest);
     this->Pyramid.Activate(frame.Window);
   }
+  if (this->Current.Slabs)
+  {
+    this->Slabs.Activate(frame.Window);
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowMaps::Deactivate(vtkShadowFrame& frame)
 {
+  this->Slabs.Deactivate(frame.Window);
   this->Pyramid.Deactivate(frame.Window);
   this->Depths.Deactivate(frame.Window);
   this->ViewVectors.Deactivate(frame.Window);
@@ -512,6 +534,10 @@ void vtkShadowMaps::SetParameters(vtkShaderProgram* program)
   {
     program->SetUniformi("shadowDepths", this->Depths.GetUnit());
     this->Pyramid.SetParameters(program);
+  }
+  if (this->Current.Slabs)
+  {
+    this->Slabs.SetParameters(program);
   }
   this->ViewVectors.SetParameter(program, "shadowViews");
   if (this->ViewVectors.AreFew())
@@ -542,6 +568,10 @@ std::vector<std::pair<std::string, std::size_t>> vtkShadowMaps::GetBytes() const
   {
     bytes.emplace_back("pyramid", this->Pyramid.GetBytes());
   }
+  if (this->Current.Slabs)
+  {
+    bytes.emplace_back("slabs", this->Slabs.GetBytes());
+  }
   if (this->Current.Midpoint)
   {
     bytes.emplace_back("layers", this->Layers[0].GetBytes() + this->Layers[1].GetBytes() +
@@ -557,6 +587,7 @@ void vtkShadowMaps::Release(vtkOpenGLRenderWindow* window)
   this->ViewVectors.Release(window);
   this->Depths.Release(window);
   this->Pyramid.Release(window);
+  this->Slabs.Release(window);
   for (int layer = 0; layer < 2; ++layer)
   {
     this->Layers[layer].Release(window);

@@ -8,6 +8,7 @@
 //   pyramid                     for neighbours: see vtkShadowDepthPyramid
 //   layers  DEPTH_COMPONENT32F  resolution^2, of midpoint maps: first and second layer
 //   sides   R32F                the same: which side of their faces they show
+//   slabs                       for rays: see vtkShadowMapSlabs
 //
 // Where the layers do not fit into the memory allowed, the maps are drawn in batches, every frame.
 
@@ -19,6 +20,7 @@
 #include "vtkShadowDepthPyramid.h"          // For what is fully lit or in umbra
 #include "vtkShadowGL.h"                    // For textures
 #include "vtkShadowLight.h"                 // For vtkShadowLight
+#include "vtkShadowMapSlabs.h"              // For what rays cross
 #include "vtkShadowVectors.h"               // For the views in shaders
 #include "vtkSoftShadowsShadowMapsModule.h" // For export macro
 
@@ -37,6 +39,7 @@ struct vtkShadowMapSettings
   int Samples = 1;         // of each light that has a size
   bool Bilinear = true;    // hardware filtering of the four nearest compares
   bool Midpoint = false;   // the middle of the casters' first two layers instead of the first
+  bool Slabs = false;      // planes and bodies for rays: see vtkShadowMapSlabs
   bool Neighbours = false; // for look-ups all around a point: vtkShadowMapKernelFS.glsl
   double Separation =
     0.16; // assumed between blocker and receiver, as a share of the casters' extent
@@ -119,8 +122,9 @@ private:
   vtkShadowVectors ViewVectors; // of vtkShadowMapViewsFS.glsl, for the camera of this frame
   glm::dmat4 VCToSWC{ 0.0 };    // that camera
   vtkShadowTexture Maps;
-  vtkShadowSampler Depths; // the maps without compare
-  vtkShadowDepthPyramid Pyramid;
+  vtkShadowSampler Depths;       // the maps without compare
+  vtkShadowDepthPyramid Pyramid; // of the maps, or of the slabs
+  vtkShadowMapSlabs Slabs;
   vtkShadowTexture Layers[2];
   vtkShadowTexture Sides[2];
   vtkShadowFramebuffer Framebuffer;

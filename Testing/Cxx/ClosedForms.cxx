@@ -40,6 +40,8 @@ constexpr Accuracy Accuracies[] = {
   // By formula, of floats, and positions that are off by 2^-19 of their distance.
   { "wedges", 64, 0.001, false },
   { "map-combined", 64, 0.02, false },
+  { "map-trace", 16, 0.015, false },
+  { "map-trace", 64, 0.015, false },
 };
 
 double Clamp(double value)

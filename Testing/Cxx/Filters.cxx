@@ -318,3 +318,43 @@ SHADOW_TEST(Filters, BatchesChangeNothing, Once)
       std::string(samples) + " samples: difference of V");
   }
 }
+
+//------------------------------------------------------------------------------
+// What a thin thing hides from a map goes on behind it: the umbra of a plate has no light where a strip
+// above it is all that the map shows. And beside the plate the strip's shadow is there: the plate alone
+// leaves more light.
+SHADOW_TEST(Filters, UmbraGoesOnBehindAStrip, Each)
+{
+  if (!ShadowStage::HasParameter(technique, "denoise"))
+  {
+    return;
+  }
+  const auto show = [&](bool strip)
+  {
+    return RenderVisibility(technique, {},
+      [strip](ShadowStage& stage)
+      {
+        stage.AddFloor();
+        stage.AddQuad({ -1.0, -1.0, 1.0 }, { 2.0, 0.0, 0.0 }, { 0.0, 2.0, 0.0 });
+        if (strip)
+        {
+          stage.AddQuad({ -3.0, -0.05, 1.5 }, { 6.0, 0.0, 0.0 }, { 0.0, 0.1, 0.0 });
+        }
+        stage.AddLight(LightKind::Rectangle, { 0.0, 0.0, 6.0 }, { 0.0, 0.0, 0.0 });
+        stage.LookAt({ 0.0, -7.0, 1.6 }, { 0.0, 0.0, 0.0 }, 40.0);
+      });
+  };
+  const Visibility plate = show(false);
+  const Visibility both = show(true);
+  std::size_t umbra = 0;
+  std::size_t lit = 0;
+  for (std::size_t i = 0; i < plate.V.size(); ++i)
+  {
+    const bool dark = plate.Mask[i] && plate.V[i] == 0.0f;
+    umbra += dark;
+    lit += dark && both.V[i] > 0.0f;
+  }
+  ShadowTest::CheckAtLeast(static_cast<double>(umbra), 500.0, "pixels in the umbra");
+  ShadowTest::CheckEqual(static_cast<double>(lit), 0.0, "of them lit below the strip");
+  ShadowTest::CheckAtLeast(Compare(both, plate, 0.1).Share, 0.01, "pixels in the strip's shadow");
+}

@@ -17,8 +17,6 @@
 // of the window's sides at w = 1; 9: face of a cube, sphere (each 0 or 1), separation that filters of
 // constant width assume, window over texels and depth scale of 4 and 5; 10: lengths of the half axes along the
 // view's axis, radius of a sphere; 11: low x, low y, high x, high y that look-ups have to keep within.
-//
-// Each technique defines `float shadowFilter(int view, shadowKernel kernel)`.
 
 uniform sampler2DArray shadowDepths; // the maps, as they are
 
@@ -210,24 +208,4 @@ float shadowWidth(int view, shadowKernel kernel, float delta)
 {
   vec2 size = SHADOW_VIEW(view, 8).yz * kernel.w;
   return 2.0 * delta * max(length(size * kernel.axisULC), length(size * kernel.axisVLC));
-}
-
-float shadowFilter(int view, shadowKernel kernel);
-
-SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionVC, vec3 normalVC)
-{
-  float visibility = 1.0;
-  vec2 found = vec2(0.0); // by the view that found something
-  for (int view = SHADOW_FIRST_VIEW(light); view < SHADOW_END_OF_VIEWS(light); ++view)
-  {
-    shadowKernel kernel;
-    if (shadowFindKernel(light, view, positionVC, normalVC, kernel))
-    {
-      visibility = min(visibility, shadowFilter(view, kernel));
-      found = max(found, vec2(shadowBlocker, shadowPenumbra));
-    }
-  }
-  shadowBlocker = found.x;
-  shadowPenumbra = found.y;
-  return SHADOW_VISIBILITY(visibility);
 }
