@@ -11,7 +11,7 @@ float shadowFindNearest(shadowKernel kernel, out float found, out float first)
   const float start = 0.5 / SHADOW_MAP_SIDE; // so far from the receiver do they start
   float delta = max(kernel.receiverLC.z, 0.0);
   found = -1.0;
-  for (int i = 0; i < 2 && found < 0.0; ++i)
+  for (int i = 0; i < 2; ++i)
   {
     vec2 extent = shadowExtent(kernel, delta) + start;
     vec2 rangeLC = shadowSlabRange(
@@ -21,11 +21,15 @@ float shadowFindNearest(shadowKernel kernel, out float found, out float first)
     // A hair more, or what is nearest would be reached or not as rounding goes.
     delta = clamp((highest - rangeLC.x) * (1.0 + 1.0 / 256.0), 0.0, delta);
     first = max(kernel.receiverLC.z - rise - abs(rangeLC.y), 0.0) * (1.0 - 1.0 / 256.0);
-#ifdef SHADOW_SKIPPING
     float lowest = kernel.receiverLC.z - dot(abs(kernel.slopeLC) + kernel.wobble, extent) -
       shadowSlack(kernel);
     bool lit = rangeLC.x >= highest && !kernel.horizonCuts;
     found = lit ? 1.0 : (rangeLC.y > 0.0 && rangeLC.y < lowest ? 0.0 : -1.0);
+#ifdef SHADOW_SKIPPING
+    if (found >= 0.0)
+    {
+      break;
+    }
 #endif
   }
   return delta;
@@ -40,6 +44,10 @@ uint shadowTraceView(int view, shadowKernel kernel, int first, int count)
   float found;
   float least;
   float delta = shadowFindNearest(kernel, found, least);
+  bool sure = found >= 0.0;
+#ifndef SHADOW_SKIPPING
+  found = -1.0;
+#endif
   shadowPenumbra = shadowWidth(view, kernel, delta);
   shadowBlocker = delta > 0.0 ? shadowDistance(kernel, delta) : 0.0;
   vec2 extent = shadowExtent(kernel, delta) * SHADOW_MAP_SIDE;
@@ -56,7 +64,7 @@ uint shadowTraceView(int view, shadowKernel kernel, int first, int count)
     count = 0;
   }
   count = found < 0.0 ? count : 0;
-  shadowNoisy = shadowNoisy || count > 0;
+  shadowNoisy = shadowNoisy || (count > 0 && !sure);
   // Where a map is cut, the light is drawn in to what it shows, as for filters.
   float drawn = shadowReach(kernel, delta) / max(delta, 1e-30);
   for (int i = 0; i < count; ++i)
