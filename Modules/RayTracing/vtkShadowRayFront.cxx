@@ -11,7 +11,7 @@ namespace
 {
 /** So many rays at least, and this share of all, tell whether more are needed. */
 constexpr int FewestRays = 4;
-constexpr int ShareOfRays = 16;
+constexpr int ShareOfRays = 8;
 
 /** Of V as stratified rays give it: see the declaration's limits. One ray of each kind more is assumed. */
 double FindError(const vtkShadowRaySeen& seen)

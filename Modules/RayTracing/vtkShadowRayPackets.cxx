@@ -139,6 +139,7 @@ std::size_t vtkShadowRayPackets::TraceBy(const int* first, const int* end, int s
       {
         waiting.Add(bundle, *chosen, sample);
       }
+      waiting.Trace();
       rays += static_cast<std::size_t>(samples - before);
     }
   }
@@ -150,7 +151,9 @@ std::size_t vtkShadowRayPackets::TraceBy(const int* first, const int* end, int s
 std::size_t vtkShadowRayPackets::Trace(
   int packet, const int* first, const int* end, int samples) const
 {
-  switch (packet)
+  // Rays of one receiver alone: those of several part too early.
+  const int rays = first == end ? 0 : samples - this->Seen[*first].Samples;
+  switch (std::min(packet, rays <= 4 ? 4 : (rays <= 8 ? 8 : 16)))
   {
     case 1:
       return this->TraceBy<Packet1>(first, end, samples);

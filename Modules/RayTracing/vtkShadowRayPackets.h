@@ -28,8 +28,8 @@ struct vtkShadowRayPackets
   std::vector<vtkShadowRaySeen>& Seen;
 
   /**
-   * Trace on until each of some receivers has so many rays, in packets of 1, 4, 8 or 16 that those of
-   * neighbours share; none from those whose own surface hides the whole light. Gives the rays traced.
+   * Trace on until each of some receivers has so many rays, in packets of 1, 4, 8 or 16, or fewer where no
+   * more are wanted of one; none from those whose own surface hides the whole light. Gives the rays traced.
    */
   std::size_t Trace(int packet, const int* first, const int* end, int samples) const;
 

@@ -150,7 +150,7 @@ SHADOW_TEST(AdaptiveRays, StopAtAnError, Once)
     penumbra[i] = truth.Mask[i] != 0 && truth.V[i] > 0.02f && truth.V[i] < 0.98f ? 1 : 0;
   }
   double before = 0.0;
-  for (const char* error : { "0.05", "0.015", "0.006" })
+  for (const char* error : { "0.02", "0.008", "0.006" })
   {
     const Visibility seen = see("ray-adaptive", "1024", "0", error);
     const double rays = stage.Count("rays");
