@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Samples of a light that edges are counted for: as digits of floats, four floats a target. What is added up
-// is exact as long as a count stays within half of a digit's base.
+// Samples of a light that edges are counted for: as digits of floats, four floats a target. What is
+// added up is exact as long as a count stays within half of a digit's base.
 
 #ifndef vtkPenumbraSamples_h
 #define vtkPenumbraSamples_h

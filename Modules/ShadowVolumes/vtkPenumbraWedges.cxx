@@ -241,7 +241,8 @@ void vtkPenumbraWedges::AddEdges(
   const int turn = planes.IsMirrored() ? -1 : 1;
   const auto faces = [&](std::uint32_t face) // the light's centre, as silhouettes tell
   { return glm::dot(planes.Get(face), this->Light.Place) > 0.0; };
-  // Along the silhouette's line, which counts so often from the light's centre; no plane without one.
+  // Along the silhouette's line, which counts so often from the light's centre; no plane without
+  // one.
   const auto add = [&](std::uint32_t from, std::uint32_t to, int ofCentre, int times,
                      const glm::dvec4& first, const glm::dvec4& second)
   {

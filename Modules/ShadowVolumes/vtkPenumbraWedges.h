@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The wedges of one light, or of a part of its area: made from edges that casters end at, kept on the GPU.
+// The wedges of one light, or of a part of its area: made from edges that casters end at, kept on
+// the GPU.
 //
 //   wedges  vertex buffer    60 bytes a corner, 92 of all edges; about 50 corners a wedge
 //   planes  RGBA32F buffer   a texel a line of the silhouettes' batch: through the light's centre and the

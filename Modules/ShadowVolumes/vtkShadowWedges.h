@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Penumbra wedges: what is known of an edge that a caster ends at as a light of some size sees it, and
-// the bound of the space in which that edge hides a part of the light.
+// Penumbra wedges: what is known of an edge that a caster ends at as a light of some size sees it,
+// and the bound of the space in which that edge hides a part of the light.
 //
-// A point p sees an edge before the light where p lies on a line from the light through the edge, beyond
-// it. All such points are v + t (v - L), for v on the edge, L on the light and t >= 0. They are held by
-// the hull of the edge's ends and of the directions from the light's corners through them: a cone in
-// homogeneous coordinates. Its facets stand on neighbours of the hull of directions, each at the end
-// that it leaves all else behind; where that changes from one end to the other, a facet holds the edge.
+// A point p sees an edge before the light where p lies on a line from the light through the edge,
+// beyond it. All such points are v + t (v - L), for v on the edge, L on the light and t >= 0. They
+// are held by the hull of the edge's ends and of the directions from the light's corners through
+// them: a cone in homogeneous coordinates. Its facets stand on neighbours of the hull of
+// directions, each at the end that it leaves all else behind; where that changes from one end to
+// the other, a facet holds the edge.
 //
-// Outside of the true wedge the edge hides nothing, so that a bound may be loose. Where there is none
-// (the light is touched by the edge) it is the whole picture.
+// Outside of the true wedge the edge hides nothing, so that a bound may be loose. Where there is
+// none (the light is touched by the edge) it is the whole picture.
 
 #ifndef vtkShadowWedges_h
 #define vtkShadowWedges_h

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What penumbra wedges promise: the union of casters by counts, no streak wherever the eye is and whatever
-// the mesh, and the same picture however wedges are bounded.
+// What penumbra wedges promise: the union of casters by counts, no streak wherever the eye is and
+// whatever the mesh, and the same picture however wedges are bounded.
 
 #include "ShadowOracle.h"
 #include "ShadowTest.h"
@@ -72,8 +72,9 @@ Visibility See(ShadowStage& stage, const std::string& technique, const Parameter
 }
 
 //------------------------------------------------------------------------------
-// Two squares under a square light, all parallel: what they hide together is a union of rectangles of the
-// light. Of 256 stratified samples 0.5 x 256^-0.75 = 0.0078 are wrong in the penumbra, a tenth of the picture.
+// Two squares under a square light, all parallel: what they hide together is a union of rectangles
+// of the light. Of 256 stratified samples 0.5 x 256^-0.75 = 0.0078 are wrong in the penumbra, a
+// tenth of the picture.
 SHADOW_TEST(Wedges, StackedSquares, Once)
 {
   ShadowStage stage(200, 200);
@@ -177,13 +178,13 @@ SHADOW_TEST(Wedges, ZeroSizeIsVolumeHard, Once)
 }
 
 //------------------------------------------------------------------------------
-// The eye in the penumbra, in the inner half of a wedge, in the plane of a volume's side, before a caster
-// that the near plane cuts, and in a parallel view; of bodies and of meshes that are none. What differs from rays by a
-// quarter of the light and more are single pixels at edges: one in 300.
+// The eye in the penumbra, in the inner half of a wedge, in the plane of a volume's side, before a
+// caster that the near plane cuts, and in a parallel view; of bodies and of meshes that are none.
+// What differs from rays by a quarter of the light and more are single pixels at edges: one in 300.
 SHADOW_TEST(Wedges, NoStreaks, Once)
 {
-  // A sheet of side 3 at height 3 under a light at height 6 of radius 0.5: the side of its volume towards
-  // -y holds the points y = -1.5 - (3 - z) / 2, and the penumbra reaches half as far again.
+  // A sheet of side 3 at height 3 under a light at height 6 of radius 0.5: the side of its volume
+  // towards -y holds the points y = -1.5 - (3 - z) / 2, and the penumbra reaches half as far again.
   const struct
   {
     const char* What;

@@ -3,9 +3,9 @@
 #extension GL_ARB_shader_bit_encoding : require
 #extension GL_ARB_gpu_shader5 : enable
 
-// How an edge changes what hides the samples of a light, against what hides its centre: where the edge's
-// image lies between the two, by how many of its faces end there. Counts of some samples are digits of a
-// float, SHADOW_DIGITS of SHADOW_BASE, and four floats a target.
+// How an edge changes what hides the samples of a light, against what hides its centre: where the
+// edge's image lies between the two, by how many of its faces end there. Counts of some samples are
+// digits of a float, SHADOW_DIGITS of SHADOW_BASE, and four floats a target.
 
 //VTK::Output::Dec
 
@@ -21,8 +21,8 @@ uniform int shadowLight;
 uniform vec4 shadowSampleX[SHADOW_DIGITS * SHADOW_TARGETS]; // four samples each, on the light
 uniform vec4 shadowSampleY[SHADOW_DIGITS * SHADOW_TARGETS];
 
-// Of what the light sees of a face: 1 its front, -1 its back, as what lies behind it sees the other side; 0
-// where there is no face.
+// Of what the light sees of a face: 1 its front, -1 its back, as what lies behind it sees the other
+// side; 0 where there is no face.
 float shadowTurn(vec4 faceSWC, vec3 placeSWC)
 {
   return faceSWC == vec4(0.0) ? 0.0
@@ -36,7 +36,8 @@ vec4 shadowCountCrossings(int first, vec2 from, vec2 to, vec3 line, bool behind)
   {
     vec4 x = shadowSampleX[i];
     vec4 y = shadowSampleY[i];
-    bvec4 beyond = notEqual(greaterThan(line.x * x + line.y * y + line.z, vec4(0.0)), bvec4(behind));
+    vec4 side = line.x * x + line.y * y + line.z;
+    bvec4 beyond = notEqual(greaterThan(side, vec4(0.0)), bvec4(behind));
     bvec4 between = notEqual(greaterThanEqual(from.x * y - from.y * x, vec4(0.0)),
       greaterThanEqual(to.x * y - to.y * x, vec4(0.0)));
     digits = SHADOW_BASE * digits + vec4(beyond) * vec4(between);
@@ -81,7 +82,8 @@ void main()
   }
 #endif
   // Where the centre's count does not change, the image alone tells on which side the centre is.
-  bool behind = shadowPlaneSWC == vec4(0.0) ? line.z > 0.0 : shadowIsBehind(shadowPlaneSWC, receiverVC);
+  bool behind = shadowPlaneSWC == vec4(0.0) ? line.z > 0.0
+    : shadowIsBehind(shadowPlaneSWC, receiverVC);
   vec2 p = first > 0.0 ? from.xy + first * along.xy : from.xy;
   vec2 q = last < 1.0 ? from.xy + last * along.xy : to.xy;
   times = behind ? -times : times;

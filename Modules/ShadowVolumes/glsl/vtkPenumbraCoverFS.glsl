@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shares of a light that lines cut off: on the light, whose centre is 0 and whose half axes are 1.
 
-// The half plane of the light that a surface, from a point of it, hides from itself; xy along the light, z in
-// its centre: what is positive is seen.
+// The half plane of the light that a surface, from a point of it, hides from itself; xy along the
+// light, z in its centre: what is positive is seen.
 vec3 shadowHorizon(shadowAreaSeen area, vec3 normalVC)
 {
   return vec3(dot(normalVC, area.uVC), dot(normalVC, area.vVC), dot(normalVC, area.towardsVC));
@@ -34,8 +34,8 @@ float shadowCross(vec2 p, vec2 q)
   return p.x * q.y - p.y * q.x;
 }
 
-// The light between a line's part within it and its border, seen from its centre: the sector less the
-// triangle. Not signed.
+// The light between a line's part within it and its border, seen from its centre: the sector less
+// the triangle. Not signed.
 float shadowCoverOfPart(vec2 p, vec2 q)
 {
   float twice = abs(shadowCross(p, q));
@@ -128,7 +128,8 @@ float shadowCoverAbove(vec2 p, vec2 q, vec3 line)
 // The same of an edge, from the images of its ends (x, y, w).
 float shadowCover(vec3 from, vec3 to, bool cut, vec3 horizon)
 {
-  // The part of the edge between the receiver and the light. Near the receiver the image is far off.
+  // The part of the edge between the receiver and the light. Near the receiver the image is far
+  // off.
   float least = 1e-6 * max(max(abs(from.z), abs(to.z)), max(length(from.xy), length(to.xy)));
   vec3 along = to - from;
   float first = 0.0;

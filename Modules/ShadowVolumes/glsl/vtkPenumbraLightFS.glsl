@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a receiver sees of an edge before a light, or a part of its area. Of a point v, the receiver at 0:
+// What a receiver sees of an edge before a light, or a part of its area. Of a point v, the receiver
+// at 0:
 //
 //   W  how far towards the light's plane v lies, 0 at the receiver, 1 in the plane
 //   X, Y  W times where the light's plane is met behind v, in half axes from the light's centre
 //
-// so that (X, Y) / W is the point's image on the light, and inside the light |X|, |Y| <= W, or
-// X^2 + Y^2 <= W^2. All three are linear in v: rows of a matrix. A sphere is its disk that faces the
-// receiver. SHADOW_WEDGE_SHAPE is 0 for a rectangle, 1 for a disk, 2 for a sphere, 3 for directions.
+// so that (X, Y) / W is the point's image on the light, and inside the light |X|, |Y| <= W, or X^2
+// + Y^2 <= W^2. All three are linear in v: rows of a matrix. A sphere is its disk that faces the
+// receiver. SHADOW_WEDGE_SHAPE is 0 for a rectangle, 1 for a disk, 2 for a sphere, 3 for
+// directions.
 
 #ifndef GL_ARB_gpu_shader5
 #define precise
@@ -65,9 +67,10 @@ float shadowSlack(vec4 receiverVC)
   return 2.0 * shadowRounding(receiverVC.xyz);
 }
 
-// Whether the light's centre is hidden by what ends at an edge, as far as that edge tells: both what counts
-// and what covers take it from here, so that they change at the same place. Both faces at a silhouette's edge
-// lie on the hidden side, and so do all of their points, whatever rounding makes of them.
+// Whether the light's centre is hidden by what ends at an edge, as far as that edge tells: both
+// what counts and what covers take it from here, so that they change at the same place. Both faces
+// at a silhouette's edge lie on the hidden side, and so do all of their points, whatever rounding
+// makes of them.
 bool shadowIsBehind(vec4 planeSWC, vec4 receiverVC)
 {
   precise vec3 placeSWC = (shadowVCToSWC * vec4(receiverVC.xyz, 1.0)).xyz;

@@ -3,8 +3,9 @@
 #extension GL_ARB_shader_bit_encoding : require
 #extension GL_ARB_gpu_shader5 : enable
 
-// Combines what a loop hides of the light with what others hide: how much of that both hide is not known, and
-// half of the lesser is a guess between all and nothing. What a hole lets through adds up.
+// Combines what a loop hides of the light with what others hide: how much of that both hide is not
+// known, and half of the lesser is a guess between all and nothing. What a hole lets through adds
+// up.
 
 //VTK::Output::Dec
 

@@ -3,7 +3,8 @@
 #extension GL_ARB_shader_bit_encoding : require
 #extension GL_ARB_gpu_shader5 : enable
 
-// Takes away the samples of a light that are hidden: by their own counts, or by the receiver's own surface.
+// Takes away the samples of a light that are hidden: by their own counts, or by the receiver's own
+// surface.
 
 //VTK::Output::Dec
 
@@ -42,7 +43,8 @@ vec3 shadowAddHidden(sampler2DArray counts, int target)
     int i = SHADOW_DIGITS * target + k;
     vec4 height = shadowHorizonLine.x * shadowSampleX[i] + shadowHorizonLine.y * shadowSampleY[i]
       + shadowHorizonLine.z;
-    vec4 dark = max(vec4(lessThanEqual(height, vec4(0.0))), vec4(greaterThan(abs(count), vec4(0.5))));
+    vec4 dark = max(vec4(lessThanEqual(height, vec4(0.0))),
+      vec4(greaterThan(abs(count), vec4(0.5))));
 #ifdef SHADOW_COLOR
     hidden += vec3(dot(dark, shadowSampleRed[i]), dot(dark, shadowSampleGreen[i]),
       dot(dark, shadowSampleBlue[i]));

@@ -3,8 +3,8 @@
 #extension GL_ARB_shader_bit_encoding : require
 #extension GL_ARB_gpu_shader5 : enable
 
-// What a side of a volume adds to the count: whether it lies between the eye and the receiver, or behind
-// it, is told by which sides of its plane both are on.
+// What a side of a volume adds to the count: whether it lies between the eye and the receiver, or
+// behind it, is told by which sides of its plane both are on.
 
 //VTK::Output::Dec
 

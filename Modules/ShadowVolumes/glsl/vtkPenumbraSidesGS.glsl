@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 
-// A silhouette edge to the side of its volume, as vtkShadowVolumeSidesGS.glsl does, and the plane of it.
+// A silhouette edge to the side of its volume, as vtkShadowVolumeSidesGS.glsl does, and the plane
+// of it.
 
 layout(lines) in;
 layout(triangle_strip, max_vertices = 4) out;

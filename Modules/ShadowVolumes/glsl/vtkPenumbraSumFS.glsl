@@ -30,7 +30,8 @@ void main()
     (shadowToVC - receiverVC.xyz) * area.rows, shadowSelf && shadowIsCut(horizon), horizon);
 #ifdef SHADOW_QUANTITY
   // Wedges over a pixel. The edge is asked all the same: its attributes are bound.
-  gl_FragData[0] = vec4(cover > (shadowIsBehind(shadowPlaneSWC, receiverVC) ? -1e30 : -2e30) ? 1.0 : 0.0);
+  float least = shadowIsBehind(shadowPlaneSWC, receiverVC) ? -1e30 : -2e30;
+  gl_FragData[0] = vec4(cover > least ? 1.0 : 0.0);
 #else
   if (cover == 0.0)
   {
