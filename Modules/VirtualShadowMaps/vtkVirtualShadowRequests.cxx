@@ -24,7 +24,10 @@ std::size_t vtkVirtualShadowRequests::Read(const std::vector<glm::vec4>& request
   glm::vec4 last(0.0f);
   for (const glm::vec4& request : requests)
   {
-    if (request.z < 0.5f)
+    // Comparisons that what is not finite fails.
+    constexpr float most = static_cast<float>(Numbers) * Numbers;
+    if (!(request.z >= 0.5f && request.z < 65536.0f && request.x >= 0.0f && request.x < most &&
+          request.y >= 0.0f && request.y < most))
     {
       continue;
     }

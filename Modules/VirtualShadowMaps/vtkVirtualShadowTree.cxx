@@ -47,11 +47,15 @@ std::size_t vtkVirtualShadowTree::AddRequests(const std::vector<glm::vec4>& requ
   std::size_t count = 0;
   for (const glm::vec4& request : requests)
   {
-    const int view = static_cast<int>(request.y) - 1;
-    if (view < 0 || view >= static_cast<int>(this->Grids.size()))
+    // Comparisons that what is not finite fails.
+    const auto views = static_cast<float>(this->Grids.size());
+    constexpr float most = static_cast<float>(Cells * Cells) * (Cells * Cells);
+    if (!(request.y >= 1.0f && request.y < views + 1.0f && request.x >= 0.0f && request.x < most &&
+          request.z > 0.0f && request.w > 0.0f))
     {
       continue;
     }
+    const int view = static_cast<int>(request.y) - 1;
     ++count;
     const int both = static_cast<int>(request.x);
     const int low = both % (Cells * Cells);
