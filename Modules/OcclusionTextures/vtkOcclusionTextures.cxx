@@ -5,6 +5,7 @@
 #include "vtkOcclusionMeanFS.h"
 #include "vtkOcclusionPackFS.h"
 #include "vtkOcclusionSliceFS.h"
+#include "vtkOcclusionSliceVS.h"
 #include "vtkOcclusionSumFS.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -13,6 +14,8 @@
 #include "vtkShadowCasters.h"
 #include "vtkShadowFrame.h"
 #include "vtkShadowOpenGL.h"
+
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -272,11 +275,12 @@ void vtkOcclusionTextures::Draw(vtkShadowFrame& frame, int index)
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  std::vector<const vtkShadowTexture*> targets = { &this->Nearest };
+  std::vector<const vtkShadowTexture*> targets;
   for (int i = 0; i < this->Targets; ++i)
   {
     targets.push_back(&this->Slices[i]);
   }
+  targets.push_back(&this->Nearest);
   vtkShadowFramebuffer::Scope target(frame.Window, this->Framebuffer, targets, nullptr, index);
   const float empty[] = { 0.0f, 0.0f, 0.0f, 0.0f };
   for (int i = 0; i <= this->Targets; ++i)
@@ -294,18 +298,24 @@ void vtkOcclusionTextures::Draw(vtkShadowFrame& frame, int index)
     cuts[i] = static_cast<float>(0.5 * (set.Slices[i].Plane + set.Slices[i + 1].Top));
   }
   const glm::dvec2 range = set.View.GetClipRange();
-  const float depths[] = { set.View.Directional ? 0.0f : 1.0f,
-    static_cast<float>(set.View.Behind), static_cast<float>(range.x),
-    static_cast<float>(range.y) };
+  const float form[] = { set.View.Directional ? 0.0f : 1.0f, static_cast<float>(set.View.Behind),
+    static_cast<float>(1.0 / (range.y - range.x)), static_cast<float>(range.y) };
   vtkShadowCasterDraw how;
+  how.VertexShader = vtkOcclusionSliceVS;
   how.FragmentShader = vtkOcclusionSliceFS;
   how.Definitions = "#define SHADOW_TARGETS " + std::to_string(this->Targets) + "\n";
   how.SetParameters = [&](vtkShaderProgram* program)
   {
-    program->SetUniform4f("shadowDepths", depths);
+    program->SetUniform4f("shadowForm", form);
     program->SetUniformi("shadowSlices", count);
     program->SetUniformi("shadowTwice", this->Current.Twice);
     program->SetUniform1fv("shadowCuts", MostSlices, cuts);
+  };
+  const glm::dvec4 depthRow(set.View.Z, -glm::dot(set.View.Z, set.View.Place));
+  how.SetCasterParameters = [&](vtkShaderProgram* program, const vtkShadowCaster& caster)
+  {
+    const glm::vec4 row(depthRow * caster.MeshToSWC);
+    program->SetUniform4f("shadowDepthMC", &row.x);
   };
   const glm::dmat4 SWCToClip =
     set.View.GetSWCToClip(set.Low, set.Low + glm::dvec2(set.Size) * set.Texel);

@@ -14,7 +14,7 @@ SHADOW_VISIBILITY shadowSeeSamples(shadowPlace place, int last, float lastWeight
   uvec2 hidden = uvec2(0u);   // a bit each sample
   uvec2 partly = uvec2(0u);   // by the last slice alone
   vec2 size = SHADOW_SET(place.first + 5).zw;
-  uvec2 all = uvec2(0xffffffffu >> uint(32 - min(shadowSampleCount, 32)),
+  uvec2 whole = uvec2(0xffffffffu >> uint(32 - min(shadowSampleCount, 32)),
     shadowSampleCount > 32 ? 0xffffffffu >> uint(64 - shadowSampleCount) : 0u);
   for (int i = last; i >= 0; --i)
   {
@@ -25,7 +25,7 @@ SHADOW_VISIBILITY shadowSeeSamples(shadowPlace place, int last, float lastWeight
 #ifdef SHADOW_SKIPPING
     vec4 content = SHADOW_SET(place.first + shadowHeader + 1 + 2 * i);
     if (any(greaterThan(kernel.centre - reach - 1.0, content.zw)) ||
-      any(lessThan(kernel.centre + reach + 1.0, content.xy)) || hidden == all)
+      any(lessThan(kernel.centre + reach + 1.0, content.xy)) || hidden == whole)
     {
       continue;
     }

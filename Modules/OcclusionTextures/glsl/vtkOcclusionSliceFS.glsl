@@ -5,23 +5,27 @@
 // Slices of the casters, each a channel of one of SHADOW_TARGETS targets; and what is nearest to the light.
 // Blended by the greatest, so that nothing is hidden: see vtkOcclusionTextures.
 
+//VTK::Output::Dec
+
 //VTK::ShadowHoles::Dec
 
-uniform vec4 shadowDepths;   // perspective 1, else 0; d; nearest and farthest depth without perspective
+in float shadowDepthVSOutput;
+
+uniform vec4 shadowForm; // perspective 1, else 0; d; 1 / range of depths, and their end, without it
 uniform int shadowSlices;
 uniform float shadowCuts[16]; // depth where a slice ends and the next begins
 uniform bool shadowTwice;     // into the next slice too
 
-layout(location = 0) out float shadowNearest; // 1 / (d + h), or 1 at the nearest depth and 0 at the farthest
-layout(location = 1) out vec4 shadowTarget0;
+layout(location = SHADOW_TARGETS) out float shadowNearest; // 1 / (d + h), or 1 at the nearest depth and 0 at the farthest
+layout(location = 0) out vec4 shadowTarget0;
 #if SHADOW_TARGETS > 1
-layout(location = 2) out vec4 shadowTarget1;
+layout(location = 1) out vec4 shadowTarget1;
 #endif
 #if SHADOW_TARGETS > 2
-layout(location = 3) out vec4 shadowTarget2;
+layout(location = 2) out vec4 shadowTarget2;
 #endif
 #if SHADOW_TARGETS > 3
-layout(location = 4) out vec4 shadowTarget3;
+layout(location = 3) out vec4 shadowTarget3;
 #endif
 
 vec4 shadowChannels(int target, int slice, int next)
@@ -33,10 +37,9 @@ vec4 shadowChannels(int target, int slice, int next)
 void main()
 {
   //VTK::ShadowHoles::Impl
-  bool perspective = shadowDepths.x > 0.5;
-  float depth = perspective ? 1.0 / gl_FragCoord.w - shadowDepths.y
-    : mix(shadowDepths.z, shadowDepths.w, gl_FragCoord.z);
-  shadowNearest = perspective ? gl_FragCoord.w : 1.0 - gl_FragCoord.z;
+  float depth = shadowDepthVSOutput;
+  shadowNearest =
+    shadowForm.x > 0.5 ? 1.0 / (shadowForm.y + depth) : (shadowForm.w - depth) * shadowForm.z;
   int slice = 0;
   for (int i = 0; i < shadowSlices - 1; ++i)
   {
