@@ -20,7 +20,7 @@
  *
  * Debug views: "slices", side by side; "levels", the widest level of the N-buffers; "kernel", the
  * longer side of the widest rectangle in texels; "slices-read".
- * Statistics: counts "slices", "levels", "slicesDrawn", "viewsDrawn"; bytes "slices", "prefilter".
+ * Statistics: counts "slices", "levels", "slicesDrawn", "mapsDrawn" (views of lights); bytes "slices", "prefilter".
  */
 
 #ifndef vtkOcclusionTexturePass_h

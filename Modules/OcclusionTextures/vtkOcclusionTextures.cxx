@@ -66,10 +66,10 @@ void vtkOcclusionTextures::FitWindow(Set& set) const
   const glm::dvec2 size = set.View.High - set.View.Low + 2.0 * pad;
   // Square boxes are to be of the light's form: texels are.
   const double longest = std::max({ kernel.x, kernel.y, 1e-300 });
-  const glm::dvec2 form =
-    padded && kernel != glm::dvec2(0.0)
-      ? glm::max(kernel / longest, glm::dvec2(1.0 / MostAspect))
-      : glm::dvec2(1.0);
+  const double least = std::min(kernel.x / size.x, kernel.y / size.y);
+  const glm::dvec2 form = padded && 2.0 * least * this->Current.Resolution >= 1.0
+                            ? glm::max(kernel / longest, glm::dvec2(1.0 / MostAspect))
+                            : glm::dvec2(1.0); // within a texel
   const glm::dvec2 inner = glm::dvec2(this->Current.Resolution - 2 * Border);
   const glm::dvec2 reach = glm::max(glm::abs(set.View.Low), glm::abs(set.View.High));
   const glm::dvec2 sides = size / form / inner;
@@ -88,7 +88,8 @@ std::vector<vtkOcclusionTextures::Set> vtkOcclusionTextures::MakeSets(
   vtkShadowFrame& frame, int part) const
 {
   std::vector<Set> sets;
-  for (auto& view : vtkOcclusionView::Find(frame.Parts[part], *frame.Casters))
+  for (auto& view : vtkOcclusionView::Find(
+         frame.Parts[part], *frame.Casters, this->Current.Resolution))
   {
     Set set;
     set.Part = part;
@@ -167,7 +168,7 @@ bool vtkOcclusionTextures::Update(vtkShadowFrame& frame, const vtkOcclusionSetti
   const bool fresh = before != this->Nearest.GetGeneration() || targetsBefore != this->Targets ||
                      levelsBefore != this->Levels;
   frame.Counts["slicesDrawn"] = 0;
-  frame.Counts["viewsDrawn"] = 0;
+  frame.Counts["mapsDrawn"] = 0;
   std::size_t slices = 0;
   for (const auto& set : this->Sets)
   {
@@ -179,11 +180,11 @@ bool vtkOcclusionTextures::Update(vtkShadowFrame& frame, const vtkOcclusionSetti
     {
       this->Draw(frame, i);
       this->Make(frame, i, 1);
-      frame.Counts["viewsDrawn"] += 1;
+      frame.Counts["mapsDrawn"] += 1;
       frame.Counts["slicesDrawn"] += static_cast<double>(this->Sets[i].Slices.size());
     }
   }
-  if (settings.Prefilter == Filter::Mips && frame.Counts["viewsDrawn"] > 0)
+  if (settings.Prefilter == Filter::Mips && frame.Counts["mapsDrawn"] > 0)
   {
     this->Mips.MakeLevels(frame.Window);
   }

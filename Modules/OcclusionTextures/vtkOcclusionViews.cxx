@@ -21,6 +21,9 @@ using Range = vtkLightRegions::Range;
 constexpr double WidestTangent = 2.2;
 constexpr double FaceTangent = 1.0;
 
+/** A face of a cube holds what kernels reach beyond it, as a share of the widest. */
+constexpr double FacePadding = 1.5;
+
 /** What is nearer to the light's plane than this share of the farthest depth is clipped. */
 constexpr double NearestShare = 1e-3;
 
@@ -108,6 +111,22 @@ double FindBehind(
   return std::min(behind, FarthestBehind * farthest);
 }
 
+/** The rectangle that the light is taken for. */
+void SetLight(vtkOcclusionView& view, const vtkShadowLight& light)
+{
+  const double side = light.Kind == Shape::Rectangle ? 1.0 : DiskSide;
+  if (light.Kind == Shape::Sphere)
+  {
+    // The disk that faces a receiver, seen along its ray to the view's plane.
+    const double reach = view.Face ? FaceTangent : WidestTangent;
+    view.Light = glm::dvec2(side * glm::length(light.U) * std::sqrt(1.0 + reach * reach));
+    return;
+  }
+  const auto along = [&](const glm::dvec3& axis)
+  { return side * glm::length(glm::dvec2(glm::dot(light.U, axis), glm::dot(light.V, axis))); };
+  view.Light = { along(view.X), along(view.Y) };
+}
+
 /** Fill in what depends on the casters. False where none is in view. */
 bool Hug(vtkOcclusionView& view, const vtkLightRegions& regions, const vtkShadowCasters& casters)
 {
@@ -144,7 +163,10 @@ bool Hug(vtkOcclusionView& view, const vtkLightRegions& regions, const vtkShadow
     }
   }
   const double nearest = view.Directional ? low : NearestShare * farthest;
-  const double limit = view.Face ? FaceTangent : std::numeric_limits<double>::max();
+  const glm::dvec2 widest =
+    view.GetKernel(view.Directional ? nearest : std::max(low, nearest));
+  const double limit = view.Face ? FaceTangent + FacePadding * std::max(widest.x, widest.y)
+                                 : std::numeric_limits<double>::max();
   const auto project = [&](const Box& box)
   {
     Range range;
@@ -171,7 +193,7 @@ bool Hug(vtkOcclusionView& view, const vtkLightRegions& regions, const vtkShadow
     {
       return Range();
     }
-    const double end = cut ? FaceTangent : limit;
+    const double end = view.Face ? limit : WidestTangent;
     if (cut)
     {
       range.Add({ -end, -end, nearest });
@@ -270,7 +292,7 @@ glm::dmat4 vtkOcclusionView::GetSWCToClip(const glm::dvec2& low, const glm::dvec
 
 //------------------------------------------------------------------------------
 std::vector<vtkOcclusionView> vtkOcclusionView::Find(
-  const vtkShadowLightPart& part, const vtkShadowCasters& casters)
+  const vtkShadowLightPart& part, const vtkShadowCasters& casters, int resolution)
 {
   const vtkShadowLight& light = part.Light;
   const vtkLightRegions regions(part, casters);
@@ -279,54 +301,64 @@ std::vector<vtkOcclusionView> vtkOcclusionView::Find(
   {
     return views;
   }
-  vtkOcclusionView view;
-  const bool disk = light.Kind != Shape::Rectangle;
-  const auto add = [&](vtkOcclusionView one)
+  const auto add = [&](vtkOcclusionView view)
   {
-    const double side = disk ? DiskSide : 1.0;
-    if (light.Kind == Shape::Sphere)
+    SetLight(view, light);
+    if (Hug(view, regions, casters))
     {
-      // The disk that faces a receiver, seen along its ray to the view's plane.
-      const glm::dvec2 reach = one.Face ? glm::dvec2(FaceTangent)
-                                        : glm::dvec2(WidestTangent);
-      one.Light = side * glm::length(light.U) * glm::sqrt(1.0 + reach * reach);
-    }
-    else
-    {
-      one.Light = { side * glm::length(glm::dvec2(glm::dot(light.U, one.X), glm::dot(light.V, one.X))),
-        side * glm::length(glm::dvec2(glm::dot(light.U, one.Y), glm::dot(light.V, one.Y))) };
-    }
-    if (Hug(one, regions, casters))
-    {
-      views.push_back(std::move(one));
+      views.push_back(std::move(view));
     }
   };
+  vtkOcclusionView view;
   if (light.IsDirectional())
   {
     view.Directional = true;
-    SetAxes(view, light.Direction, light.U);
+    SetAxes(view, light.Direction, glm::dvec3(0.0));
     add(view);
     return views;
   }
 
+  // Along the mean direction to the casters; also for a plane light of no size, and of so little that it is
+  // within a texel, or the limit would have other texels. Else parallel to it, where that sees all.
   view.Place = light.Position - casters.GetOrigin();
+  const glm::dvec3 axis = FindAxis(view.Place, regions);
+  if (axis != glm::dvec3(0.0))
+  {
+    SetAxes(view, axis, glm::dvec3(0.0));
+  }
+  const auto tryOne = [&](vtkOcclusionView one)
+  {
+    if (one.Z == glm::dvec3(0.0) || !Fits(one, regions))
+    {
+      return false;
+    }
+    one.Behind = FindBehind(one, GetExtent(light, one), regions);
+    add(one);
+    return true;
+  };
   const bool plane = light.Kind == Shape::Rectangle || light.Kind == Shape::Disk;
   if (plane && !light.IsPoint())
   {
-    SetAxes(view, glm::normalize(light.Direction), light.U);
-  }
-  if (!plane || light.IsPoint() || !Fits(view, regions))
-  {
-    const glm::dvec3 axis = FindAxis(view.Place, regions);
-    if (axis != glm::dvec3(0.0))
+    if (tryOne(view) && !views.empty())
     {
-      SetAxes(view, axis, light.U);
+      const vtkOcclusionView& found = views.front();
+      const glm::dvec2 texels = 2.0 * found.GetKernel(found.Nearest) * static_cast<double>(resolution) /
+                                glm::max(found.High - found.Low, glm::dvec2(1e-300));
+      if (std::min(texels.x, texels.y) < 1.0)
+      {
+        return views;
+      }
+    }
+    views.clear();
+    vtkOcclusionView parallel = view;
+    SetAxes(parallel, glm::normalize(light.Direction), light.U);
+    if (tryOne(parallel))
+    {
+      return views;
     }
   }
-  if (view.Z != glm::dvec3(0.0) && Fits(view, regions))
+  if (tryOne(view))
   {
-    view.Behind = FindBehind(view, GetExtent(light, view), regions);
-    add(view);
     return views;
   }
   // Six, of which the faces that hold no caster are none; turned as the light is.

@@ -57,9 +57,9 @@ struct vtkOcclusionView
   /** To the texture of a window, clip coordinates. */
   glm::dmat4 GetSWCToClip(const glm::dvec2& low, const glm::dvec2& high) const;
 
-  /** One view, one for each side of a light with casters behind it, up to six, or none. */
+  /** One view, up to six around a light among its casters, or none; for textures of a resolution. */
   static std::vector<vtkOcclusionView> Find(
-    const vtkShadowLightPart& part, const vtkShadowCasters& casters);
+    const vtkShadowLightPart& part, const vtkShadowCasters& casters, int resolution);
 };
 
 #endif

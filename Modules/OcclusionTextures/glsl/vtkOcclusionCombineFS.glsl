@@ -69,7 +69,9 @@ float shadowSeeContacts(shadowPlace place, vec4 partial, float partialWeight)
     // Roberts's sequence: even in either axis and in the square.
     vec2 st = fract((float(i) + 0.5) * vec2(0.7548776662, 0.5698402910)) * 2.0 - 1.0;
     ivec2 texel = ivec2(floor(at + (st.x * place.u + st.y * place.v) * share * window.zw));
-    if (shadowFindRise(place, form, texel) > 0.0)
+    // It hides the light's point if it is within the pyramid of receiver and light.
+    if (shadowFindRise(place, form, texel) > 0.0 &&
+      shadowSide(place, shadowFindDepth(place, texel)) >= max(abs(st.x), abs(st.y)) * side)
     {
       hidden += shadowContactShare(place, texel, partial, partialWeight);
     }
@@ -169,11 +171,8 @@ SHADOW_VISIBILITY shadowSeeSet(shadowPlace place)
   if (contacts)
   {
     float hidden = shadowSeeContacts(place, partial, lastWeight);
-#ifdef SHADOW_MAXIMUM
-    visibility = min(visibility, SHADOW_VISIBILITY(1.0 - hidden));
-#else
-    visibility *= 1.0 - hidden;
-#endif
+    // Another part of the light: of what is nearest, these are the rays that the slices leave.
+    visibility = max(visibility - SHADOW_VISIBILITY(hidden), SHADOW_VISIBILITY(0.0));
   }
   return visibility;
 }

@@ -53,11 +53,10 @@ uniform sampler2DArray shadowOddLevels;
 
 float shadowMean(int set, int slice, vec2 centre, vec2 halfSize, vec2 size)
 {
-  // Between boxes of 2^level and twice that, so that the second moment is the rectangle's.
+  // Between boxes of 2^level and twice that: what is linear in log2 is all but the least error at an edge.
   float side = max(2.0 * sqrt(halfSize.x * halfSize.y), 1.0);
   float level = min(floor(log2(side)), float(SHADOW_LEVELS - 1));
-  float ratio = side * exp2(-level);
-  float share = clamp((ratio * ratio - 1.0) / 3.0, 0.0, 1.0);
+  float share = clamp(log2(side) - level, 0.0, 1.0);
   int lower = int(level);
   int upper = min(lower + 1, SHADOW_LEVELS - 1);
   bool odd = (lower & 1) == 1;

@@ -164,7 +164,8 @@ float shadowSeeHorizon(int light, vec3 positionVC, vec3 normalVC)
 // Contacts: what the slices cannot tell, since the receiver is in them, what is nearest to the light as seen
 // from the centre of projection tells; and all, where the light is within a texel.
 
-// What is nearest at a texel's middle, less what the receiver's plane has there: positive above it.
+// What is nearest at a texel's middle, less what the receiver's plane has there: positive above it, by more
+// than folds of its surface rise within a texel.
 float shadowFindRise(shadowPlace place, vec3 form, ivec2 texel)
 {
   vec4 window = SHADOW_SET(place.first + 4);
@@ -173,7 +174,9 @@ float shadowFindRise(shadowPlace place, vec3 form, ivec2 texel)
   bool inside = all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(sides.zw)));
   vec2 at = window.xy + (vec2(texel) + 0.5) * sides.xy;
   float plane = dot(form.xy, at) + form.z;
-  return inside ? nearest - plane - (place.perspective ? nearest : 1.0) * 2e-6 : -1.0;
+  float unit = place.perspective ? nearest : SHADOW_SET(place.first + 8).y;
+  float fold = 0.5 * unit * max(sides.x, sides.y) + 0.125 * dot(abs(form.xy), sides.xy);
+  return inside && nearest > 0.0 ? nearest - plane - fold - (place.perspective ? nearest : 1.0) * 2e-6 : -1.0;
 }
 
 // Depth of what is nearest there.
