@@ -43,9 +43,9 @@ vtkShadowDeclaration OcclusionTextures()
       "What several slices hide together: as if independent of each other, each another part, the "
       "same part; or what of some samples of the light any of them hides"),
     vtkShadowParameter::Integer(
-      "samples", 32, 1, 64,
+      "samples", 32, 1, 1024,
       "Samples of the light with combine=bits, and half as many at contacts")
-      .At({ 16, 32, 32, 64 }),
+      .At({ 16, 32, 32, 256 }),
     vtkShadowParameter::Boolean("double-projection", false,
       "Flatten each slice onto the next one's plane too, where surfaces are thin and light leaks "
       "between slices"),

@@ -24,6 +24,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -101,6 +102,8 @@ private:
   void DrawCopy(vtkShadowFrame& frame, vtkShadowTexture& target, int layer, int set, int slices);
   void UpdateVectors(vtkShadowFrame& frame);
   void UpdateSamples(vtkShadowFrame& frame);
+  /** Compares of a receiver at a contact. */
+  int GetContacts() const { return std::min((this->Current.Samples + 1) / 2, 32); }
   int GetEvenLevels() const { return (this->Levels + 1) / 2; }
   int GetOddLevels() const { return std::max(1, this->Levels / 2); }
   vtkShadowTexture& GetLevel(int level) { return level % 2 ? this->Odd : this->Even; }

@@ -128,7 +128,7 @@ std::string vtkOcclusionTextures::GetGLSL() const
   std::string source = define("SHADOW_SET_VECTORS", std::to_string(Header + 2 * this->MostInSet)) +
                        define("SHADOW_TARGETS", std::to_string(this->Targets)) +
                        define("SHADOW_LEVELS", std::to_string(this->Levels)) +
-                       define("SHADOW_CONTACTS", std::to_string((this->Current.Samples + 1) / 2));
+                       define("SHADOW_CONTACTS", std::to_string(this->GetContacts()));
   if (this->Vectors.AreFew())
   {
     source += define("SHADOW_FEW_SETS", std::to_string(this->Vectors.GetCount()));
@@ -227,7 +227,7 @@ double vtkOcclusionTextures::GetMaximumCost() const
   const double each = this->Current.Prefilter == Filter::Sums   ? 16.0
                       : this->Current.Prefilter == Filter::Bits ? this->Current.Samples
                                                                 : 2.0;
-  return 0.5 * this->Current.Samples + each * this->MostInSet;
+  return this->GetContacts() + each * this->MostInSet;
 }
 
 //------------------------------------------------------------------------------

@@ -156,9 +156,8 @@ SHADOW_VISIBILITY shadowSeeSet(shadowPlace place)
 {
   float lastWeight;
   int last = shadowFindLast(place, lastWeight);
-  vec4 partial = last >= 0 ? SHADOW_SET(place.first + shadowHeader + 2 * last)
-    : vec4(-3.0e38, 0.0, 0.0, -3.0e38);
   vec4 first = SHADOW_SET(place.first + shadowHeader);
+  vec4 partial = last >= 0 ? SHADOW_SET(place.first + shadowHeader + 2 * last) : first.wwww;
   vec4 lowest = SHADOW_SET(place.first + shadowHeader + 2 * (place.slices - 1));
   // Nothing is left out for a receiver that is below all slices, and sees a light of some texels.
   bool contacts = place.position.z > first.w && (last < place.slices - 1 || lastWeight < 1.0 ||

@@ -71,7 +71,9 @@ float shadowMean(int set, int slice, vec2 centre, vec2 halfSize, vec2 size)
   float ofOdd = textureLod(shadowOddLevels, vec3(odds / texels, float(oddLayer)), 0.0)[slice & 3];
   shadowCost += 2.0;
   bool inside = all(greaterThan(centre, vec2(0.0))) && all(lessThan(centre, size));
-  float mean = upper == lower ? (odd ? ofOdd : ofEven)
+  // A wider one than the widest level holds no more than that.
+  float wider = side * exp2(-float(SHADOW_LEVELS - 1));
+  float mean = upper == lower ? (odd ? ofOdd : ofEven) / max(wider * wider, 1.0)
     : mix(odd ? ofOdd : ofEven, odd ? ofEven : ofOdd, share);
   return inside ? mean : 0.0;
 }

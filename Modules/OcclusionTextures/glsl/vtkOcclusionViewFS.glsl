@@ -28,6 +28,8 @@ void main()
   bool border = any(lessThan(within, vec2(0.01))) || any(greaterThan(within, vec2(0.99)));
   vec3 at = vec3(within * shadowShare, float(shadowLayer));
   float covered = textureLod(shadowSource, at, 0.0)[slice & 3];
+  // Darker, the farther from the light.
+  vec3 color = vec3(0.7, 0.35, 0.1) * (1.0 - float(slice) / float(max(shadowCount, 1)));
   gl_FragData[0] =
-    vec4(shown && !border ? vec3(1.0 - covered) : vec3(0.1, 0.15, 0.4), 1.0);
+    vec4(shown && !border ? mix(vec3(1.0), color, covered) : vec3(0.1, 0.15, 0.4), 1.0);
 }
