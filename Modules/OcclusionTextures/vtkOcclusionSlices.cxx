@@ -130,8 +130,7 @@ void Fill(Histogram& histogram, const vtkOcclusionView& view, const vtkShadowCas
     for (std::size_t i = 0; i < points.size(); ++i)
     {
       const float* p = &mesh.Positions[3 * i];
-      points[i] =
-        view.ToView(glm::dvec3(caster.MeshToSWC * glm::dvec4(p[0], p[1], p[2], 1.0)));
+      points[i] = view.ToView(glm::dvec3(caster.MeshToSWC * glm::dvec4(p[0], p[1], p[2], 1.0)));
     }
     for (std::size_t i = 0; i + 2 < mesh.Indices.size(); i += 3)
     {
@@ -161,16 +160,16 @@ std::vector<double> GetDensity(
   }
   for (int i = first; i <= last; ++i)
   {
-    density[i] = (1.0 - EvenShare) * (sum > 0.0 ? density[i] / sum : 0.0) +
-                 EvenShare / (last - first + 1);
+    density[i] =
+      (1.0 - EvenShare) * (sum > 0.0 ? density[i] / sum : 0.0) + EvenShare / (last - first + 1);
   }
   return density;
 }
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkOcclusionSlice> vtkOcclusionSlice::Place(const vtkOcclusionView& view,
-  const vtkShadowCasters& casters, int count, Placement placement)
+std::vector<vtkOcclusionSlice> vtkOcclusionSlice::Place(
+  const vtkOcclusionView& view, const vtkShadowCasters& casters, int count, Placement placement)
 {
   Histogram histogram(view);
   Fill(histogram, view, casters);
@@ -186,10 +185,9 @@ std::vector<vtkOcclusionSlice> vtkOcclusionSlice::Place(const vtkOcclusionView& 
     --last;
   }
   std::vector<vtkOcclusionSlice> slices;
-  std::vector<double> density =
-    placement == Placement::Adaptive
-      ? GetDensity(histogram, view, first, last)
-      : std::vector<double>(Bins, 1.0 / std::max(1, last - first + 1));
+  std::vector<double> density = placement == Placement::Adaptive
+                                  ? GetDensity(histogram, view, first, last)
+                                  : std::vector<double>(Bins, 1.0 / std::max(1, last - first + 1));
   double sum = 0.0;
   Bin content;
   int index = 0;

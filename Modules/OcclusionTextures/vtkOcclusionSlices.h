@@ -32,8 +32,8 @@ struct vtkOcclusionSlice
     Adaptive // thinner where there is much, and near to what receives
   };
   /** At most so many, the nearest to the light first; none without casters in the view. */
-  static std::vector<vtkOcclusionSlice> Place(const vtkOcclusionView& view,
-    const vtkShadowCasters& casters, int count, Placement placement);
+  static std::vector<vtkOcclusionSlice> Place(
+    const vtkOcclusionView& view, const vtkShadowCasters& casters, int count, Placement placement);
 };
 
 #endif

@@ -10,15 +10,18 @@ bool vtkOcclusionTextureTechnique::UpdateLightData(vtkShadowFrame& frame)
   using Filter = vtkOcclusionSettings::Filter;
   constexpr int smallest = 16;
   vtkOcclusionSettings settings;
-  settings.Resolution =
-    frame.ChooseResolution(this->Settings.GetInteger("resolution"), smallest, 512);
-  settings.Slices = std::stoi(this->Settings.GetChoice("slice-count"));
+  // Without a size, what is nearest to the lights tells all: one slice, and none of its means.
+  const int asked = this->Settings.GetInteger("resolution");
+  settings.Resolution = asked > 0    ? frame.ChooseResolution(asked, smallest, smallest)
+                        : frame.Hard ? frame.ChooseResolution(0, smallest, 2048)
+                                     : frame.ChooseResolution(512, smallest, smallest);
+  settings.Slices = frame.Hard ? 1 : std::stoi(this->Settings.GetChoice("slice-count"));
   settings.Combine = this->Settings.GetChoice("combine");
   const std::string prefilter = this->Settings.GetChoice("prefilter");
-  settings.Prefilter = settings.Combine == "bits"         ? Filter::Bits
-                       : prefilter == "summed-area"       ? Filter::Sums
-                       : prefilter == "mipmap"            ? Filter::Mips
-                                                          : Filter::Means;
+  settings.Prefilter = settings.Combine == "bits"   ? Filter::Bits
+                       : prefilter == "summed-area" ? Filter::Sums
+                       : prefilter == "mipmap"      ? Filter::Mips
+                                                    : Filter::Means;
   settings.Placement = this->Settings.GetChoice("slices") == "adaptive"
                          ? vtkOcclusionSlice::Placement::Adaptive
                          : vtkOcclusionSlice::Placement::Uniform;

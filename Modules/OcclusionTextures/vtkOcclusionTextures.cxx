@@ -46,8 +46,8 @@ bool vtkOcclusionSettings::operator==(const vtkOcclusionSettings& other) const
 {
   const auto tie = [](const vtkOcclusionSettings& s)
   {
-    return std::tie(s.Resolution, s.Slices, s.Prefilter, s.Placement, s.Twice, s.Skipping,
-      s.Samples, s.Combine);
+    return std::tie(
+      s.Resolution, s.Slices, s.Prefilter, s.Placement, s.Twice, s.Skipping, s.Samples, s.Combine);
   };
   return tie(*this) == tie(other);
 }
@@ -73,8 +73,8 @@ void vtkOcclusionTextures::FitWindow(Set& set) const
   const glm::dvec2 inner = glm::dvec2(this->Current.Resolution - 2 * Border);
   const glm::dvec2 reach = glm::max(glm::abs(set.View.Low), glm::abs(set.View.High));
   const glm::dvec2 sides = size / form / inner;
-  const double texel = std::max(
-    { sides.x, sides.y, 1e-7 * std::max(reach.x, reach.y), std::numeric_limits<float>::min() * 1e6 });
+  const double texel = std::max({ sides.x, sides.y, 1e-7 * std::max(reach.x, reach.y),
+    std::numeric_limits<float>::min() * 1e6 });
   set.Texel = texel * form;
   const glm::dvec2 texels = glm::ceil(size / set.Texel - 1e-6);
   set.Size = glm::min(glm::ivec2(texels) + 2 * Border, glm::ivec2(this->Current.Resolution));
@@ -88,8 +88,8 @@ std::vector<vtkOcclusionTextures::Set> vtkOcclusionTextures::MakeSets(
   vtkShadowFrame& frame, int part) const
 {
   std::vector<Set> sets;
-  for (auto& view : vtkOcclusionView::Find(
-         frame.Parts[part], *frame.Casters, this->Current.Resolution))
+  for (auto& view :
+    vtkOcclusionView::Find(frame.Parts[part], *frame.Casters, this->Current.Resolution))
   {
     Set set;
     set.Part = part;
@@ -130,8 +130,7 @@ bool vtkOcclusionTextures::Update(vtkShadowFrame& frame, const vtkOcclusionSetti
     bool same = this->Changes.IsSame(i);
     if (same)
     {
-      made.assign(
-        this->Sets.begin() + this->First[i], this->Sets.begin() + this->First[i + 1]);
+      made.assign(this->Sets.begin() + this->First[i], this->Sets.begin() + this->First[i + 1]);
     }
     if (!same || this->Changes.HaveReceiversMoved())
     {
@@ -141,8 +140,8 @@ bool vtkOcclusionTextures::Update(vtkShadowFrame& frame, const vtkOcclusionSetti
              std::equal(anew.begin(), anew.end(), made.begin(),
                [](const Set& a, const Set& b)
                {
-                 return a.View.Casters == b.View.Casters && a.Low == b.Low &&
-                        a.Texel == b.Texel && a.Size == b.Size && a.Kernel == b.Kernel;
+                 return a.View.Casters == b.View.Casters && a.Low == b.Low && a.Texel == b.Texel &&
+                        a.Size == b.Size && a.Kernel == b.Kernel;
                });
       made = std::move(anew);
     }
@@ -220,21 +219,20 @@ bool vtkOcclusionTextures::Allocate(vtkShadowFrame& frame)
   const Filter filter = this->Current.Prefilter;
   if (filter == Filter::Mips)
   {
-    this->Levels = std::min(
-      this->Levels, 1 + static_cast<int>(std::floor(std::log2(std::max(size.x, size.y)))));
+    this->Levels =
+      std::min(this->Levels, 1 + static_cast<int>(std::floor(std::log2(std::max(size.x, size.y)))));
   }
   int most = 256;
   glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
-  const auto allocate = [&](vtkShadowTexture& texture, Format format, int layers, bool wanted,
-                          int levels = 1)
+  const auto allocate =
+    [&](vtkShadowTexture& texture, Format format, int layers, bool wanted, int levels = 1)
   {
     if (!wanted)
     {
       texture.Release(window);
       return true;
     }
-    return layers <= most &&
-           texture.Allocate(window, format, size.x, size.y, layers, levels);
+    return layers <= most && texture.Allocate(window, format, size.x, size.y, layers, levels);
   };
   bool made = allocate(this->Nearest, Format::Float1, sets, true);
   for (int i = 0; i < 4; ++i)
@@ -242,14 +240,15 @@ bool vtkOcclusionTextures::Allocate(vtkShadowFrame& frame)
     made = made && allocate(this->Slices[i], Format::Byte4, sets, i < this->Targets);
   }
   const int layers = sets * this->Targets;
-  made = made &&
-         allocate(this->Even, Format::Byte4, layers * this->GetEvenLevels(), filter == Filter::Means) &&
-         allocate(this->Odd, Format::Byte4, layers * this->GetOddLevels(), filter == Filter::Means) &&
-         allocate(this->Mips, Format::Byte4, layers, filter == Filter::Mips, this->Levels) &&
-         allocate(this->Sums, Format::Integer4, layers, filter == Filter::Sums) &&
-         allocate(this->Steps[0], Format::Integer4, 1, filter == Filter::Sums) &&
-         allocate(this->Steps[1], Format::Integer4, 1, filter == Filter::Sums) &&
-         allocate(this->Bits, Format::Integer1, sets, filter == Filter::Bits);
+  made =
+    made &&
+    allocate(this->Even, Format::Byte4, layers * this->GetEvenLevels(), filter == Filter::Means) &&
+    allocate(this->Odd, Format::Byte4, layers * this->GetOddLevels(), filter == Filter::Means) &&
+    allocate(this->Mips, Format::Byte4, layers, filter == Filter::Mips, this->Levels) &&
+    allocate(this->Sums, Format::Integer4, layers, filter == Filter::Sums) &&
+    allocate(this->Steps[0], Format::Integer4, 1, filter == Filter::Sums) &&
+    allocate(this->Steps[1], Format::Integer4, 1, filter == Filter::Sums) &&
+    allocate(this->Bits, Format::Integer1, sets, filter == Filter::Bits);
   if (made)
   {
     for (auto* texture : { &this->Even, &this->Odd, &this->Mips })
@@ -380,8 +379,8 @@ void vtkOcclusionTextures::MakeMeans(vtkShadowFrame& frame, int set)
     for (int level = 1; level < this->Levels; ++level)
     {
       vtkShadowTexture& source = this->GetLevel(level - 1);
-      vtkShadowFramebuffer::Scope target(frame.Window, this->Framebuffer,
-        &this->GetLevel(level), nullptr, this->GetLayer(set, k, level));
+      vtkShadowFramebuffer::Scope target(frame.Window, this->Framebuffer, &this->GetLevel(level),
+        nullptr, this->GetLayer(set, k, level));
       source.Activate(frame.Window);
       const int half = level == 1 ? 1 : 1 << (level - 2);
       const int offsets[] = { -half, level == 1 ? 0 : half };

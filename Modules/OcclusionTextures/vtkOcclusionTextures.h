@@ -48,7 +48,7 @@ struct vtkOcclusionSettings
   int Slices = 16;
   Filter Prefilter = Filter::Means;
   vtkOcclusionSlice::Placement Placement = vtkOcclusionSlice::Placement::Uniform;
-  bool Twice = false;  // each slice holds the one before too
+  bool Twice = false; // each slice holds the one before too
   bool Skipping = true;
   int Samples = 32;    // of Bits
   std::string Combine; // as the parameter names it
@@ -111,7 +111,7 @@ private:
 
   vtkOcclusionSettings Current;
   vtkShadowChanges Changes;
-  std::vector<Set> Sets; // by part
+  std::vector<Set> Sets;  // by part
   std::vector<int> First; // of each part, and the number of all
   int Targets = 1;
   int Levels = 1;

@@ -61,17 +61,16 @@ void vtkOcclusionTextures::UpdateVectors(vtkShadowFrame& frame)
     // The half side of a square of the same second moments as a disk.
     const bool exact = rectangle || this->Current.Prefilter == Filter::Bits;
     const double side = exact ? 1.0 : std::sqrt(0.75);
-    const auto axis = [&](const glm::dvec3& a, double w)
-    {
-      return glm::vec4(glm::dvec4(
-        glm::dot(a, view.X), glm::dot(a, view.Y), glm::dot(a, view.Z), w));
+    const auto axis = [&](const glm::dvec3& a, double w) {
+      return glm::vec4(
+        glm::dvec4(glm::dot(a, view.X), glm::dot(a, view.Y), glm::dot(a, view.Z), w));
     };
     const double radius = light.Kind == Shape::Sphere ? side * glm::length(light.U) : 0.0;
     v[6] = axis(side * light.U, radius);
     v[7] = axis(side * light.V, rectangle ? 2.0 : 1.0);
     const glm::dvec2 range = view.GetClipRange();
-    v[8] = glm::vec4(
-      glm::dvec4(range.y, view.Directional ? 1.0 / (range.y - range.x) : 0.0, 0.0, 0.0));
+    v[8] =
+      glm::vec4(glm::dvec4(range.y, view.Directional ? 1.0 / (range.y - range.x) : 0.0, 0.0, 0.0));
     for (int i = 0; i < count; ++i)
     {
       const vtkOcclusionSlice& slice = set.Slices[i];
@@ -79,9 +78,8 @@ void vtkOcclusionTextures::UpdateVectors(vtkShadowFrame& frame)
       v[Header + 2 * i] = glm::vec4(glm::dvec4(slice.Plane, 1.0 / slice.Fade,
         view.Directional ? -slice.Plane : 1.0 / view.GetW(slice.Plane), slice.Top));
       // A texel counts where its middle is covered.
-      v[Header + 2 * i + 1] =
-        glm::vec4(glm::dvec4((slice.Low - set.Low) / set.Texel - 0.51,
-          (slice.High - set.Low) / set.Texel + 0.51));
+      v[Header + 2 * i + 1] = glm::vec4(glm::dvec4(
+        (slice.Low - set.Low) / set.Texel - 0.51, (slice.High - set.Low) / set.Texel + 0.51));
     }
   }
   this->Vectors.Update(frame.Window, values.size() <= MostFewVectors);
@@ -102,8 +100,7 @@ void vtkOcclusionTextures::UpdateSamples(vtkShadowFrame& frame)
       // As vtkShadowLight::GetSamples.
       glm::dvec2 unit = vtkShadowSampling::ToUnit(bits) + 0.5 / count;
       unit -= glm::floor(unit);
-      values.emplace_back(
-        glm::dvec4(2.0 * unit - 1.0, vtkShadowSampling::ConcentricDisk(unit)));
+      values.emplace_back(glm::dvec4(2.0 * unit - 1.0, vtkShadowSampling::ConcentricDisk(unit)));
       const glm::dvec3 emission = part.Light.GetEmission(unit);
       sum += emission;
       values.emplace_back(glm::dvec4(emission, 0.0));
@@ -141,16 +138,16 @@ std::string vtkOcclusionTextures::GetGLSL() const
   switch (filter)
   {
     case Filter::Sums:
-      source += define("SHADOW_SUMS") + define("SHADOW_REACH", "1.0") +
-                define("SHADOW_BORDER", "1.03");
+      source +=
+        define("SHADOW_SUMS") + define("SHADOW_REACH", "1.0") + define("SHADOW_BORDER", "1.03");
       break;
     case Filter::Means:
-      source += define("SHADOW_MEANS") + define("SHADOW_REACH", "2.0") +
-                define("SHADOW_BORDER", "2.0");
+      source +=
+        define("SHADOW_MEANS") + define("SHADOW_REACH", "2.0") + define("SHADOW_BORDER", "2.0");
       break;
     case Filter::Mips:
-      source += define("SHADOW_MIPS") + define("SHADOW_REACH", "6.0") +
-                define("SHADOW_BORDER", "3.0");
+      source +=
+        define("SHADOW_MIPS") + define("SHADOW_REACH", "6.0") + define("SHADOW_BORDER", "3.0");
       break;
     case Filter::Bits:
       source += define("SHADOW_BITS") + define("SHADOW_BORDER", "0.53");
@@ -197,8 +194,8 @@ void vtkOcclusionTextures::SetParameters(vtkShaderProgram* program)
 //------------------------------------------------------------------------------
 void vtkOcclusionTextures::Activate(vtkShadowFrame& frame)
 {
-  for (auto* texture : { &this->Nearest, &this->Even, &this->Odd, &this->Mips, &this->Sums,
-         &this->Bits })
+  for (auto* texture :
+    { &this->Nearest, &this->Even, &this->Odd, &this->Mips, &this->Sums, &this->Bits })
   {
     if (texture->GetHandle())
     {
@@ -214,8 +211,8 @@ void vtkOcclusionTextures::Deactivate(vtkShadowFrame& frame)
 {
   this->Samples.Deactivate(frame.Window);
   this->Vectors.Deactivate(frame.Window);
-  for (auto* texture : { &this->Bits, &this->Sums, &this->Mips, &this->Odd, &this->Even,
-         &this->Nearest })
+  for (auto* texture :
+    { &this->Bits, &this->Sums, &this->Mips, &this->Odd, &this->Even, &this->Nearest })
   {
     texture->Deactivate(frame.Window);
   }

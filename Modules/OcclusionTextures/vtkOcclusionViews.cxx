@@ -69,11 +69,12 @@ bool Fits(const vtkOcclusionView& view, const vtkLightRegions& regions)
     });
 }
 
-/** The mean direction to all corners; zero where there is none. */
-glm::dvec3 FindAxis(const glm::dvec3& place, const vtkLightRegions& regions)
+/** The mean direction to some casters' corners; zero where there is none. */
+glm::dvec3 FindAxis(
+  const glm::dvec3& place, const vtkLightRegions& regions, const std::vector<int>& casters)
 {
   glm::dvec3 mean(0.0);
-  for (const int caster : regions.GetCasters())
+  for (const int caster : casters)
   {
     for (const auto& corner : regions.GetBox(caster))
     {
@@ -163,8 +164,7 @@ bool Hug(vtkOcclusionView& view, const vtkLightRegions& regions, const vtkShadow
     }
   }
   const double nearest = view.Directional ? low : NearestShare * farthest;
-  const glm::dvec2 widest =
-    view.GetKernel(view.Directional ? nearest : std::max(low, nearest));
+  const glm::dvec2 widest = view.GetKernel(view.Directional ? nearest : std::max(low, nearest));
   const double limit = view.Face ? FaceTangent + FacePadding * std::max(widest.x, widest.y)
                                  : std::numeric_limits<double>::max();
   const auto project = [&](const Box& box)
@@ -281,10 +281,8 @@ glm::dmat4 vtkOcclusionView::GetSWCToClip(const glm::dvec2& low, const glm::dvec
   const double farW = d + zFar;
   const double a = (farW + nearW) / (farW - nearW);
   const double b = -2.0 * farW * nearW / (farW - nearW);
-  rows[0] =
-    row((this->X - centre.x * this->Z) * (2.0 / size.x), -2.0 * centre.x * d / size.x);
-  rows[1] =
-    row((this->Y - centre.y * this->Z) * (2.0 / size.y), -2.0 * centre.y * d / size.y);
+  rows[0] = row((this->X - centre.x * this->Z) * (2.0 / size.x), -2.0 * centre.x * d / size.x);
+  rows[1] = row((this->Y - centre.y * this->Z) * (2.0 / size.y), -2.0 * centre.y * d / size.y);
   rows[2] = row(this->Z * a, a * d + b);
   rows[3] = row(this->Z, d);
   return glm::transpose(rows);
@@ -318,13 +316,16 @@ std::vector<vtkOcclusionView> vtkOcclusionView::Find(
     return views;
   }
 
-  // Along the mean direction to the casters; also for a plane light of no size, and of so little that it is
+  // Along the direction to the largest caster, which does not move with others, or to all; also for a plane light of no size, and of so little that it is
   // within a texel, or the limit would have other texels. Else parallel to it, where that sees all.
   view.Place = light.Position - casters.GetOrigin();
-  const glm::dvec3 axis = FindAxis(view.Place, regions);
-  if (axis != glm::dvec3(0.0))
+  for (const auto& some : { std::vector<int>{ regions.GetLargest() }, regions.GetCasters() })
   {
-    SetAxes(view, axis, glm::dvec3(0.0));
+    const glm::dvec3 axis = FindAxis(view.Place, regions, some);
+    if (axis != glm::dvec3(0.0) && (view.Z == glm::dvec3(0.0) || !Fits(view, regions)))
+    {
+      SetAxes(view, axis, glm::dvec3(0.0));
+    }
   }
   const auto tryOne = [&](vtkOcclusionView one)
   {
@@ -342,7 +343,8 @@ std::vector<vtkOcclusionView> vtkOcclusionView::Find(
     if (tryOne(view) && !views.empty())
     {
       const vtkOcclusionView& found = views.front();
-      const glm::dvec2 texels = 2.0 * found.GetKernel(found.Nearest) * static_cast<double>(resolution) /
+      const glm::dvec2 texels = 2.0 * found.GetKernel(found.Nearest) *
+                                static_cast<double>(resolution) /
                                 glm::max(found.High - found.Low, glm::dvec2(1e-300));
       if (std::min(texels.x, texels.y) < 1.0)
       {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Samples of the light, each hidden where one of all slices has something on its ray: united by or, so that a
-// wall that spans many slices hides once.
+// Samples of the light, each hidden where one of all slices has something on its ray: united by
+// or, so that a wall that spans many slices hides once.
 
 uniform usampler2DArray shadowBits;
 // Of each light, two vectors a sample: point of the square, of the disk; weights.
 uniform samplerBuffer shadowSamples;
 uniform int shadowSampleCount;
 
-// Of at most 64 samples, a bit each: those that are hidden, and those that only the last slice hides.
+// Of at most 64 samples, a bit each: those that are hidden, and those that only the last slice
+// hides.
 void shadowHideSamples(shadowPlace place, int last, bool partial, int first, int count,
   out uvec2 hidden, out uvec2 partly)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Visibility from all slices between a receiver and a light, as if each hid another part of it
-// (SHADOW_PRODUCT: equation 5 of the paper), another one as long as there is any (SHADOW_SUM), or the
-// same (SHADOW_MAXIMUM); or by SHADOW_BITS, sample by sample.
+// (SHADOW_PRODUCT: equation 5 of the paper), another one as long as there is any (SHADOW_SUM), or
+// the same (SHADOW_MAXIMUM); or by SHADOW_BITS, sample by sample.
 
 // So much of the light's rectangle, in texels, is a point; and from there on slices tell all.
 const float shadowPointTexels = 1.0;
@@ -29,8 +29,8 @@ float shadowContactShare(shadowPlace place, ivec2 texel, vec4 partial, float par
   return 1.0 - weight * shadowTellShare(shadowSide(place, depth));
 }
 
-// What the slices leave out: in the receiver's own slice, in the one above it, whose weight is not 1, and of
-// a light within a texel.
+// What the slices leave out: in the receiver's own slice, in the one above it, whose weight is
+// not 1, and of a light within a texel.
 float shadowSeeContacts(shadowPlace place, vec4 partial, float partialWeight)
 {
   vec3 form;
@@ -112,8 +112,8 @@ void shadowCombine(inout float hidden, float more)
 float shadowSeeAll(shadowPlace place, int last, float lastWeight)
 {
 #ifdef SHADOW_TWICE
-  // Each slice holds the one above it too: every other one holds all. Which of them, changes as the receiver
-  // passes through a slice.
+  // Each slice holds the one above it too: every other one holds all. Which of them, changes as
+  // the receiver passes through a slice.
   vec2 hidden = vec2(0.0);
   for (int i = last; i >= 0; --i)
   {

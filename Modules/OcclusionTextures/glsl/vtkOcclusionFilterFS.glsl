@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The mean of a slice over a rectangle: by SHADOW_SUMS, SHADOW_MEANS (N-buffers) or SHADOW_MIPS.
 //
-// SHADOW_REACH: how far beyond a rectangle's middle something can count, as a multiple of its half side;
-// SHADOW_BORDER: and how many texels more.
+// SHADOW_REACH: how far beyond a rectangle's middle something can count, as a multiple of its
+// half side; SHADOW_BORDER: and how many texels more.
 
 #ifdef SHADOW_SUMS
 uniform usampler2DArray shadowSums;
@@ -12,8 +12,8 @@ uint shadowSum(ivec2 texel, int layer, int channel)
   return texelFetch(shadowSums, ivec3(texel, layer), 0)[channel];
 }
 
-// The integral of what is constant in each texel: four corners, each interpolated between four. What is
-// subtracted first are integers, so that nothing is lost to a table's large sums.
+// The integral of what is constant in each texel: four corners, each interpolated between four.
+// What is subtracted first are integers, so that nothing is lost to a table's large sums.
 float shadowMean(int set, int slice, vec2 centre, vec2 halfSize, vec2 size)
 {
   vec2 halfSide = max(halfSize, vec2(0.5));
@@ -53,7 +53,8 @@ uniform sampler2DArray shadowOddLevels;
 
 float shadowMean(int set, int slice, vec2 centre, vec2 halfSize, vec2 size)
 {
-  // Between boxes of 2^level and twice that: what is linear in log2 is all but the least error at an edge.
+  // Between boxes of 2^level and twice that: what is linear in log2 is all but the least error at
+  // an edge.
   float side = max(2.0 * sqrt(halfSize.x * halfSize.y), 1.0);
   float level = min(floor(log2(side)), float(SHADOW_LEVELS - 1));
   float share = clamp(log2(side) - level, 0.0, 1.0);
@@ -67,8 +68,10 @@ float shadowMean(int set, int slice, vec2 centre, vec2 halfSize, vec2 size)
   // A box's middle is its texel's lower corner; in the first level its middle.
   vec2 even = centre + ((odd ? upper : lower) == 0 ? 0.0 : 0.5);
   vec2 odds = centre + 0.5;
-  float ofEven = textureLod(shadowEvenLevels, vec3(even / texels, float(evenLayer)), 0.0)[slice & 3];
-  float ofOdd = textureLod(shadowOddLevels, vec3(odds / texels, float(oddLayer)), 0.0)[slice & 3];
+  vec3 evenAt = vec3(even / texels, float(evenLayer));
+  vec3 oddAt = vec3(odds / texels, float(oddLayer));
+  float ofEven = textureLod(shadowEvenLevels, evenAt, 0.0)[slice & 3];
+  float ofOdd = textureLod(shadowOddLevels, oddAt, 0.0)[slice & 3];
   shadowCost += 2.0;
   bool inside = all(greaterThan(centre, vec2(0.0))) && all(lessThan(centre, size));
   // A wider one than the widest level holds no more than that.
@@ -126,5 +129,6 @@ float shadowSeeSlice(shadowPlace place, int slice, vec4 form)
     mean = shadowMean(place.set, slice, centre, halfSize, size.zw);
     shadowSlicesRead += 1.0;
   }
-  return share * mean;
+  // What is left stands for the whole, as long as there is some.
+  return min(4.0 * share, 1.0) * mean;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What all ways to ask slices share: a receiver in a view of them, the light's rectangle as it sees it
-// through a plane, and contacts. See vtkOcclusionView for the geometry.
+// What all ways to ask slices share: a receiver in a view of them, the light's rectangle as it
+// sees it through a plane, and contacts. See vtkOcclusionView for the geometry.
 //
 // shadowSets: for each view of a light SHADOW_SET_VECTORS vectors:
 //
@@ -8,15 +8,15 @@
 //   3        perspective 1, else 0; d; number of slices; face of a cube 1, else 0
 //   4        window's low corner at w = 1, texels a unit
 //   5        a texel's sides at w = 1, the texture's in texels
-//   6, 7     the light's half axes in the view, as a rectangle of equal second moments (bits: its own);
-//            radius of a sphere; 1 for a disk, 2 for a rectangle
+//   6, 7     the light's half axes in the view, as a rectangle of equal second moments (bits: its
+//            own); radius of a sphere; 1 for a disk, 2 for a rectangle
 //   8        without perspective, the farthest depth and 1 / range of what is nearest
 //
-// and for each slice two: its plane's depth, 1 / fade, 1 / (d + plane) or minus the plane, its upper end's
-// depth; where it holds something, in texels.
+// and for each slice two: its plane's depth, 1 / fade, 1 / (d + plane) or minus the plane, its
+// upper end's depth; where it holds something, in texels.
 //
-// What is looked up lies above the receiver's own plane, by more than what texels are off: there a convex
-// body has nothing of itself. Nothing else tells a surface from what hides it.
+// What is looked up lies above the receiver's own plane, by more than what texels are off: there
+// a convex body has nothing of itself. Nothing else tells a surface from what hides it.
 
 #ifdef SHADOW_FEW_SETS
 uniform vec4 shadowSets[SHADOW_FEW_SETS];
@@ -119,8 +119,8 @@ shadowKernel shadowFindKernel(shadowPlace place, vec4 slice)
   kernel.u = place.u * share * window.zw;
   kernel.v = place.v * share * window.zw;
   kernel.rise = w * place.normal.xy * texel.xy;
-  // What the slice holds is projected along lines to the centre of projection: they have to be above the
-  // plane up to its upper end.
+  // What the slice holds is projected along lines to the centre of projection: they have to be
+  // above the plane up to its upper end.
   float climb = (slice.x - slice.w) *
     (place.normal.z + (place.perspective ? dot(place.normal.xy, centre) : 0.0));
   float reach = below * sqrt(1.0 + dot(place.slope, place.slope)) * shadowNormalRounding;
@@ -161,11 +161,11 @@ float shadowSeeHorizon(int light, vec3 positionVC, vec3 normalVC)
 #endif
 }
 
-// Contacts: what the slices cannot tell, since the receiver is in them, what is nearest to the light as seen
-// from the centre of projection tells; and all, where the light is within a texel.
+// Contacts: what the slices cannot tell, since the receiver is in them, what is nearest to the
+// light as seen from the centre of projection tells; and all, where the light is within a texel.
 
-// What is nearest at a texel's middle, less what the receiver's plane has there: positive above it, by more
-// than folds of its surface rise within a texel.
+// What is nearest at a texel's middle, less what the receiver's plane has there: positive above
+// it, by more than folds of its surface rise within a texel.
 float shadowFindRise(shadowPlace place, vec3 form, ivec2 texel)
 {
   vec4 window = SHADOW_SET(place.first + 4);
@@ -175,8 +175,9 @@ float shadowFindRise(shadowPlace place, vec3 form, ivec2 texel)
   vec2 at = window.xy + (vec2(texel) + 0.5) * sides.xy;
   float plane = dot(form.xy, at) + form.z;
   float unit = place.perspective ? nearest : SHADOW_SET(place.first + 8).y;
-  float fold = 0.5 * unit * max(sides.x, sides.y) + 0.125 * dot(abs(form.xy), sides.xy);
-  return inside && nearest > 0.0 ? nearest - plane - fold - (place.perspective ? nearest : 1.0) * 2e-6 : -1.0;
+  float fold = 0.5 * unit * max(sides.x, sides.y) + 0.2 * dot(abs(form.xy), sides.xy);
+  float rounding = 2e-6 * (place.perspective ? nearest : 1.0);
+  return inside && nearest > 0.0 ? nearest - plane - fold - rounding : -1.0;
 }
 
 // Depth of what is nearest there.
@@ -187,8 +188,8 @@ float shadowFindDepth(shadowPlace place, ivec2 texel)
   return place.perspective ? 1.0 / max(nearest, 1e-30) - place.behind : form.x - nearest / form.y;
 }
 
-// The receiver's plane as what is nearest would be on it: of a place at w = 1 a dot product, and a constant.
-// False where the centre of projection does not lie above it.
+// The receiver's plane as what is nearest would be on it: of a place at w = 1 a dot product, and
+// a constant. False where the centre of projection does not lie above it.
 bool shadowFindPlane(shadowPlace place, out vec3 form)
 {
   vec3 normal = place.normal;

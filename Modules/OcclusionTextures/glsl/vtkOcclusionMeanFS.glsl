@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 
-// One level of N-buffers (Decoret 2005) from the level before: means over boxes of twice the side. A box's
-// middle is a texel's lower corner; outside there is nothing.
+// One level of N-buffers (Decoret 2005) from the level before: means over boxes of twice the
+// side. A box's middle is a texel's lower corner; outside there is nothing.
 
 //VTK::Output::Dec
 

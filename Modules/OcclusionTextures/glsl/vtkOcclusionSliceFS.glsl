@@ -2,8 +2,8 @@
 //VTK::System::Dec
 #extension GL_ARB_explicit_attrib_location : require
 
-// Slices of the casters, each a channel of one of SHADOW_TARGETS targets; and what is nearest to the light.
-// Blended by the greatest, so that nothing is hidden: see vtkOcclusionTextures.
+// Slices of the casters, each a channel of one of SHADOW_TARGETS targets; and what is nearest to
+// the light. Blended by the greatest, so that nothing is hidden: see vtkOcclusionTextures.
 
 //VTK::Output::Dec
 
@@ -16,7 +16,8 @@ uniform int shadowSlices;
 uniform float shadowCuts[16]; // depth where a slice ends and the next begins
 uniform bool shadowTwice;     // into the next slice too
 
-layout(location = SHADOW_TARGETS) out float shadowNearest; // 1 / (d + h), or 1 at the nearest depth and 0 at the farthest
+// 1 / (d + h); without perspective 1 at the nearest depth and 0 at the farthest.
+layout(location = SHADOW_TARGETS) out float shadowNearest;
 layout(location = 0) out vec4 shadowTarget0;
 #if SHADOW_TARGETS > 1
 layout(location = 1) out vec4 shadowTarget1;

@@ -2,8 +2,8 @@
 //VTK::System::Dec
 #extension GL_ARB_explicit_attrib_location : require
 
-// One step of a summed-area table along an axis (Crow 1984; Hensley et al. 2005): the sum of some texels
-// that lie a stride apart, in integers. With SHADOW_FIRST they are those of the slices.
+// One step of a summed-area table along an axis (Crow 1984; Hensley et al. 2005): the sum of some
+// texels that lie a stride apart, in integers. With SHADOW_FIRST they are those of the slices.
 
 #ifdef SHADOW_FIRST
 uniform sampler2DArray shadowSource;
