@@ -102,7 +102,7 @@ SHADOW_TEST(Occlusion, SamplesUniteSlices, Once)
     }
   }
   ShadowTest::CheckAtLeast(count, 50.0, "pixels where the product is off by more than 0.2");
-  ShadowTest::CheckAtMost(sum / std::max(count, 1), 0.03, "mean error of samples there");
+  ShadowTest::CheckAtMost(sum / std::max(count, 1), 0.02, "mean error of samples there");
 }
 
 //------------------------------------------------------------------------------

@@ -3,9 +3,11 @@
 // (SHADOW_PRODUCT: equation 5 of the paper), another one as long as there is any (SHADOW_SUM), or
 // the same (SHADOW_MAXIMUM); or by SHADOW_BITS, sample by sample.
 
-// So much of the light's rectangle, in texels, is a point; and from there on slices tell all.
+// A light's rectangle of so many texels is a point; from so many on slices begin to tell, whose
+// cracks are a texel wide, and from so many on they tell all.
 const float shadowPointTexels = 1.0;
-const float shadowWholeTexels = 2.0;
+const float shadowFirstTexels = 2.0;
+const float shadowWholeTexels = 4.0;
 
 float shadowSide(shadowPlace place, float depth)
 {
@@ -18,7 +20,7 @@ float shadowSide(shadowPlace place, float depth)
 
 float shadowTellShare(float side)
 {
-  return clamp((side - shadowPointTexels) / (shadowWholeTexels - shadowPointTexels), 0.0, 1.0);
+  return clamp((side - shadowFirstTexels) / (shadowWholeTexels - shadowFirstTexels), 0.0, 1.0);
 }
 
 // How much of what is nearest at a texel the slices do not tell: 1 in the receiver's own slice.
