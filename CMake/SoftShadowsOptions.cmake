@@ -13,6 +13,7 @@ option(SOFTSHADOWS_BUILD_APPS "Build the command softshadows" ON)
 set(softshadows_families
   "SHADOW_MAPS:ShadowMaps:Shadow maps and their filters, map-*"
   "PLANAR_SHADOWS:PlanarShadows:Shadows projected onto planes, planar-*"
+  "OCCLUSION_TEXTURES:OcclusionTextures:Prefiltered slices of the casters, occlusion-textures"
   "SHADOW_VOLUMES:ShadowVolumes:Stencil shadow volumes (OpenMesh), volume-*"
   "VIRTUAL_SHADOW_MAPS:VirtualShadowMaps:Soft shadow maps of predicted resolution, virtual-maps"
   "RAY_TRACING:RayTracing:Ray-traced reference (Embree), ray-traced")

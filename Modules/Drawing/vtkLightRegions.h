@@ -10,6 +10,8 @@
 #ifndef vtkLightRegions_h
 #define vtkLightRegions_h
 
+#include "vtkSoftShadowsDrawingModule.h" // For export macro
+
 #include <glm/vec3.hpp>
 
 #include <array>
@@ -22,13 +24,13 @@ class vtkShadowCasters;
 struct vtkShadowLight;
 struct vtkShadowLightPart;
 
-class vtkLightRegions
+class VTKSOFTSHADOWSDRAWING_EXPORT vtkLightRegions
 {
 public:
   using Box = std::array<glm::dvec3, 8>;
 
   /** An axis-aligned range on a view plane, and along the view axis. */
-  struct Range
+  struct VTKSOFTSHADOWSDRAWING_EXPORT Range
   {
     glm::dvec3 Low{ std::numeric_limits<double>::max() };
     glm::dvec3 High{ std::numeric_limits<double>::lowest() };

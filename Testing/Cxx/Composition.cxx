@@ -73,6 +73,9 @@ const std::vector<Effect>& GetEffects()
   return effects;
 }
 
+/** What makes umbrae quite dark where it is not the rule. */
+const Parameters Dark = { { "combine", "bits" }, { "double-projection", "on" } };
+
 /** A light whose shadow has an umbra that effects do not reach across. */
 class ComposedStage : public ShadowStage
 {
@@ -171,7 +174,7 @@ void CheckEffect(const std::string& technique, const Effect& effect, int width =
   ComposedStage stage(technique, width, height, margin);
   stage.Renderer->GetActiveCamera()->SetFocalDisk(4.0); // of the depth of field
   vtkNew<vtkRenderStepsPass> steps;
-  stage.SetPass(technique);
+  stage.SetPass(technique, Dark);
   stage.Render();
   // Edges of what is in front may show a shadow behind them, in effects with several samples.
   const auto regions = stage.GetRegions(effect.Reach, effect.Reach + 1);
@@ -299,7 +302,7 @@ SHADOW_TEST(Composition, PeelingAsAStep, Each)
     ShadowTest::CheckNoMessage(what + " without shadows");
 
     // Of the opaque surfaces alone: what is translucent shows them through itself.
-    stage.SetPass(technique);
+    stage.SetPass(technique, Dark);
     stage.Render();
     const ShadowOracle oracle(stage, { box, second });
     auto use = oracle.GetInner(0);
@@ -322,7 +325,7 @@ SHADOW_TEST(Composition, PeelingAsAStep, Each)
       const std::string name = what + (how == 0 ? " in the delegate" : ", camera around");
       const auto steps = makeSteps();
       const auto inCamera = Make<vtkCameraPass>(steps);
-      stage.SetPass(technique)->SetDelegatePass(how == 0 ? inCamera : steps);
+      stage.SetPass(technique, Dark)->SetDelegatePass(how == 0 ? inCamera : steps);
       const auto camera = Make<vtkCameraPass>(stage.Pass);
       const Picture picture = stage.Draw(how == 0 ? stage.Pass.Get() : camera.Get());
       ShadowTest::CheckNoMessage(name);
@@ -397,7 +400,7 @@ SHADOW_TEST(Composition, RendererFeatures, Each)
     const Picture out = stage.DrawOut(nullptr);
     Quiet quiet;
     quiet.TakeOwn();
-    stage.SetPass(technique);
+    stage.SetPass(technique, Dark);
     const Picture picture = stage.Draw(stage.Pass);
     quiet.Check(feature.Name);
     const ShadowOracle oracle(stage, { box });
