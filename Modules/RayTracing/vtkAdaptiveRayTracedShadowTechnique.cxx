@@ -163,9 +163,9 @@ void vtkAdaptiveRayTracedShadowTechnique::Scatter(vtkShadowFrame& frame,
 //------------------------------------------------------------------------------
 std::vector<std::pair<std::string, std::size_t>> vtkAdaptiveRayTracedShadowTechnique::GetBytes()
 {
+  // The list of values is a frame's, and no longer than its pixels that are open.
   auto bytes = this->Bounds.GetBytes();
   bytes.emplace_back("selection", this->Selections[0].GetBytes() + this->Selections[1].GetBytes());
-  bytes.emplace_back("values", this->Values.GetBytes());
   return bytes;
 }
 
