@@ -48,7 +48,7 @@ vtkShadowDeclaration OcclusionTextures()
     vtkShadowParameter::Boolean("double-projection", false,
       "Flatten each slice onto the next one's plane too, where surfaces are thin and light leaks "
       "between slices"),
-    vtkShadowParameter::Integer("resolution", 0, 0, 4096,
+    vtkShadowParameter::Integer("resolution", 0, 0, 16384,
       "Longer side of a texture, 16 at least (less counts as 16); 0: 512, or where no light has a "
       "size the power of two next to the picture's longer side, 2048 or 4096")
       .In("texels")
