@@ -163,6 +163,10 @@ bool Hug(vtkOcclusionView& view, const vtkLightRegions& regions, const vtkShadow
       low = std::min(low, view.ToView(corner).z);
     }
   }
+  if (!view.Directional && !(farthest > 0.0))
+  {
+    return false; // all lie behind the light's plane
+  }
   const double nearest = view.Directional ? low : NearestShare * farthest;
   const glm::dvec2 widest = view.GetKernel(view.Directional ? nearest : std::max(low, nearest));
   const double limit = view.Face ? FaceTangent + FacePadding * std::max(widest.x, widest.y)
