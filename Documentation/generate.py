@@ -40,7 +40,7 @@ def generated(technique):
                      ", ".join(p["presets"].values()) if "presets" in p else ""]
                     for p in technique["parameters"]],
                    ["parameter", "default", "values", "unit", "meaning",
-                    "low, medium, high, reference"])
+                    "preview, low, medium, high, reference"])
     lines += ["", "Memory:", ""] + [f"* {line}" for line in technique["resources"]]
     lines += ["", "Limits:", ""] + [f"* {line}" for line in technique["limits"]]
     return "\n".join(lines + ["", END])

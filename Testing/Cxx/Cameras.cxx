@@ -189,7 +189,8 @@ SHADOW_TEST(Cameras, OffAxisIsAPart, Each)
   {
     stage.AddThings();
     // Random rays are another pixel's.
-    stage.AddLight(ShadowStage::HasParameter(technique, "seed") ? LightKind::Point : GetAreaLight(technique));
+    stage.AddLight(
+      ShadowStage::HasParameter(technique, "seed") ? LightKind::Point : GetAreaLight(technique));
     stage.SetPass(technique, Fine);
   };
   ShadowStage whole(320, 160);
