@@ -30,6 +30,10 @@ def floor_places(scene):
     return place[..., :2], on_floor & ~behind
 
 
+# What makes techniques sample that do not by default.
+SAMPLED = {"occlusion-textures": {"combine": "bits"}, "wedges": {"overlap": "count"}}
+
+
 class Visibility(TestCase):
     def closed_form(self, scene, half_width, half_height):
         place, shown = floor_places(scene)
@@ -99,7 +103,7 @@ class Visibility(TestCase):
             errors = []
             for samples in (4, 64):
                 scene = Scene("blocker")
-                shadows = create(name, samples=samples)
+                shadows = create(name, samples=samples, **SAMPLED.get(name, {}))
                 scene.render(shadows)
                 shown, expected = self.closed_form(
                     scene, scene.light.GetWidth() / 2, scene.light.GetHeight() / 2)
