@@ -52,8 +52,8 @@ def create(technique, **parameters):
 
 
 def create_fine(technique, **parameters):
-    """A pass for lights without a size: fine maps, and few samples, which are all the same."""
-    fine = {"resolution": 1024, "samples": 4}
+    """A pass for lights without a size: fine maps, few samples, which are all the same, hard edges."""
+    fine = {"resolution": 1024, "samples": 4, "antialias": "off"}
     parameters.update((name, value) for name, value in fine.items()
                       if has_parameter(technique, name))
     return create(technique, **parameters)
