@@ -240,7 +240,8 @@ SHADOW_TEST(Cameras, LargerPictures, Each)
     {
       Split(stage, GetModels()[0].Matrix); // a blur enlarges the view's angle
     }
-    stage.SetPass(technique, { { "evaluation", "screen" } });
+    stage.SetPass(technique,
+      { { "evaluation", "screen" }, { "combine", "bits" }, { "double-projection", "on" } });
     stage.Render();
     const auto regions = GetRegions(stage.GetVisibility(), 3);
 
