@@ -301,6 +301,7 @@ class Options(BenchTest):
         suite = dict(one_case(plain, published="there", reference=16, lights=2),
                      published={"source": "a table", "correctness": 50,
                                 "unshadowed_milliseconds": {"there": 2}})
+        suite["cases"][0]["samples_per_pixel"] = 4
         self.write("first.json", json.dumps(suite))
         self.write("second.json", json.dumps(one_case([{"technique": "map-soft",
                                                         "set": {"samples": 4}}])))
@@ -309,6 +310,8 @@ class Options(BenchTest):
         for name in ("first", "second"):
             self.assertEqual(sorted(os.listdir(self.path("out/" + name))), FILES)
             self.assertEqual(self.read("out", name)["suite"], name)
+            self.assertEqual(self.read("out", name)["cases"][0]["samples_per_pixel"],
+                             4 if name == "first" else 0)
             self.validate(self.read("out", name))
         case = self.read("out", "first")["cases"][0]
         self.assertEqual(case["scene"]["lights"], 2)

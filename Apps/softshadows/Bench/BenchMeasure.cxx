@@ -495,6 +495,7 @@ Json BenchMeasure::GetJSON() const
   json["scene"] = my.SceneJSON;
   json["scene"]["lights"] = my.Case.Lights;
   json["size"] = my.Case.Scene.Size;
+  json["samples_per_pixel"] = my.Case.Scene.SamplesPerPixel;
   json["reference"] = nullptr;
   if (!my.Noise.is_null())
   {

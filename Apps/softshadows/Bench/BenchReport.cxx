@@ -111,6 +111,8 @@ std::string DescribeScene(const Json& oneCase)
   }
   add("", FindText(light, { "shape" }), " light" + (size.empty() ? "" : "," + size));
   add("", JoinSize(Find(oneCase, { "size" })), " pixels");
+  const Number samples = FindNumber(oneCase, { "samples_per_pixel" });
+  add("", samples && *samples > 0.0 ? WriteCount(samples) : "", " samples a pixel");
   return Join(words);
 }
 

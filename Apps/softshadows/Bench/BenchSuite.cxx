@@ -185,6 +185,8 @@ BenchCase ReadCase(const Json& json, const Json& suite, const std::string& file)
   {
     one.Scene.Size = sizes["size"].get<std::array<int, 2>>();
   }
+  one.Scene.SamplesPerPixel =
+    json.value("samples_per_pixel", suite.value("samples_per_pixel", one.Scene.SamplesPerPixel));
   one.Scene.Triangles = json.value("triangles", 0);
   one.Lights = json.value("lights", 1);
   if (json.contains("light"))
