@@ -342,6 +342,7 @@ void vtkPenumbraWedgeTechnique::AddQuantity(
   }
   const std::string shown = quantity == "inner"   ? "#define SHADOW_WEDGE_HALF 1\n"
                             : quantity == "outer" ? "#define SHADOW_WEDGE_HALF 0\n"
+                            : quantity == "edges" ? "#define SHADOW_WEDGE_EDGES\n"
                                                   : "#define SHADOW_QUANTITY\n";
   const bool counts = this->CountsSamples(part);
   this->AddWedges(frame, buffer, { &buffer.GetTarget() }, part, part, wedges,
@@ -433,10 +434,8 @@ void vtkPenumbraWedgeTechnique::FillVisibility(vtkShadowFrame& frame, vtkVisibil
     {
       const auto values = buffer.ReadTarget(frame.Window, i);
       this->Most = std::max<double>(this->Most, *std::max_element(values.begin(), values.end()));
-      if (buffer.GetQuantity() == "cost")
-      {
-        frame.Counts["wedgePixels"] += std::accumulate(values.begin(), values.end(), 0.0);
-      }
+      const std::string name = buffer.GetQuantity() == "cost" ? "wedge" : buffer.GetQuantity();
+      frame.Counts[name + "Pixels"] += std::accumulate(values.begin(), values.end(), 0.0);
     }
   }
   if (!memory)

@@ -24,7 +24,10 @@ public:
   double GetMaximumCost() override { return this->Most; }
   std::string GetDebugQuantity(const std::string& view) override
   {
-    return view == "cost" || view == "centre" || view == "inner" || view == "outer" ? view : "";
+    return view == "cost" || view == "centre" || view == "inner" || view == "outer" ||
+               view == "edges"
+             ? view
+             : "";
   }
   std::vector<std::pair<std::string, std::size_t>> GetBytes() override;
   void Release(vtkOpenGLRenderWindow* window) override;

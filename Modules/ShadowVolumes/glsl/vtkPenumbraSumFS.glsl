@@ -26,8 +26,11 @@ void main()
   }
   shadowAreaSeen area = shadowSeeArea(receiverVC.xyz);
   vec3 horizon = shadowHorizon(area, normalVC);
-  float cover = shadowTimes * shadowCover((shadowFromVC - receiverVC.xyz) * area.rows,
-    (shadowToVC - receiverVC.xyz) * area.rows, shadowSelf && shadowIsCut(horizon), horizon);
+  // Whole millionths (2^-20), which floats add up without rounding as long as a sum is less than 16
+  // lights: in any order of the edges, and with the halves of wedges apart or together.
+  float cover = shadowTimes / 1048576.0 * floor(0.5 + 1048576.0 *
+    shadowCover((shadowFromVC - receiverVC.xyz) * area.rows,
+    (shadowToVC - receiverVC.xyz) * area.rows, shadowSelf && shadowIsCut(horizon), horizon));
 #ifdef SHADOW_QUANTITY
   // Wedges over a pixel. The edge is asked all the same: its attributes are bound.
   float least = shadowIsBehind(shadowPlaneSWC, receiverVC) ? -1e30 : -2e30;
@@ -38,7 +41,9 @@ void main()
     discard;
   }
   bool behind = shadowIsBehind(shadowPlaneSWC, receiverVC);
-#ifdef SHADOW_WEDGE_HALF
+#if defined(SHADOW_WEDGE_EDGES)
+  gl_FragData[0] = vec4(behind ? cover : -cover);
+#elif defined(SHADOW_WEDGE_HALF)
   gl_FragData[0] = vec4(behind == (SHADOW_WEDGE_HALF == 1) ? cover : 0.0);
 #else
   gl_FragData[0] = vec4(0.0, vec3(behind ? cover : -cover));
