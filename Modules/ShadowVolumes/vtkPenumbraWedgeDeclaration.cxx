@@ -42,7 +42,7 @@ vtkShadowDeclaration Wedges()
       "What bounds a wedge: the hull of the light's own corners, or four planes around a sphere "
       "that holds the light; the picture is the same")
   };
-  t.DebugViews = { "centre", "inner", "outer", "edges" };
+  t.DebugViews = { "centre", "inner", "outer", "edges", "wedges" };
   t.Resources = { "on the CPU: adjacency, about 41 bytes a triangle of a closed mesh, once a mesh",
     "silhouettes, 8 bytes an edge (16 of open meshes), and 16 bytes for its plane",
     "wedges, about 3 KiB an edge (4.5 KiB with overlap=count)",

@@ -26,7 +26,8 @@
  *   bounds   tight   tight or sphere: what bounds a wedge; the picture is the same
  *
  * Debug views: "centre", how often the light's centre is hidden; "inner" and "outer", what the halves of
- * the wedges let through and hide; "edges", the former less the latter; "cost", wedges drawn over a pixel.
+ * the wedges let through and hide; "edges", the former less the latter; "wedges", outlines of the faces
+ * that bound them; "cost", wedges drawn over a pixel.
  * The statistics have each view's sum over the pixels: centrePixels and so on; wedgePixels of the cost.
  *
  * Textures and buffers, beside those of vtkShadowSilhouetteCache and vtkShadowVolumes:

@@ -223,7 +223,8 @@ void vtkPenumbraWedgeTechnique::AddWedges(vtkShadowFrame& frame, vtkVisibilityBu
   vtkShadowTexture& receivers = buffer.GetReceivers().GetTexture();
   receivers.Activate(frame.Window);
   wedges.Activate(frame.Window);
-  this->Volumes.AddBehind(frame, buffer, targets, layer,
+  this->Volumes.AddBehind(
+    frame, buffer, targets, layer,
     [&](const glm::dmat4& SWCToDraw, float farthest, const glm::vec2& retreat)
     {
       wedges.Draw(
@@ -239,7 +240,8 @@ void vtkPenumbraWedgeTechnique::AddWedges(vtkShadowFrame& frame, vtkVisibilityBu
           }
         },
         some);
-    });
+    },
+    buffer.GetQuantity() == "wedges");
   wedges.Deactivate(frame.Window);
   receivers.Deactivate(frame.Window);
 }

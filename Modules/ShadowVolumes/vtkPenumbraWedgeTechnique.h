@@ -26,7 +26,7 @@ public:
   std::string GetDebugQuantity(const std::string& view) override
   {
     return view == "cost" || view == "centre" || view == "inner" || view == "outer" ||
-               view == "edges"
+               view == "edges" || view == "wedges"
              ? view
              : "";
   }
