@@ -29,7 +29,7 @@ vtkShadowDeclaration Wedges()
       "silhouette from the light's centre (sum); likewise, but of two loops of "
       "silhouettes the larger share and half of the smaller (loops); or by a count for "
       "each sample of the light, of all edges that any point of it sees casters end at "
-      "(count), as are textured lights always"),
+      "(count)"),
     vtkShadowParameter::Integer(
       "samples", 64, 1, 256, "Samples of the light that are counted for, with overlap=count")
       .At({ 16, 32, 64, 256 }),
@@ -42,16 +42,18 @@ vtkShadowDeclaration Wedges()
       "What bounds a wedge: the hull of the light's own corners, or four planes around a sphere "
       "that holds the light; the picture is the same")
   };
-  t.DebugViews = { "centre", "inner", "outer" };
+  t.DebugViews = { "centre", "inner", "outer", "edges", "wedges" };
   t.Resources = { "on the CPU: adjacency, about 41 bytes a triangle of a closed mesh, once a mesh",
     "silhouettes, 8 bytes an edge (16 of open meshes), and 16 bytes for its plane",
     "wedges, about 3 KiB an edge (4.5 KiB with overlap=count)",
     "where volumes are counted by z-fail: caps, 12 bytes a triangle",
     "receivers 16 bytes, their depth 4 bytes, that of volumes with the stencil 8 bytes, sums 8 "
-    "bytes, "
+    "bytes "
+    "(16 with a textured light), "
     "visibility 4 bytes a light (16 textured), each a pixel; with overlap=count 16 bytes more for "
     "each "
-    "16 samples, or for each 12 or 8 where more than 31 or 127 volumes may nest" };
+    "16 samples, or for each 12 or 8 where more than 31 or 127 volumes may nest",
+    "a textured light with overlap=sum and loops: tables, 4.4 MB (times split x split)" };
   t.Limits = { "overlap=sum: where penumbrae of several casters, or of parts of one, overlap, what "
                "both hide counts twice: too dark. Of a body, only what its silhouette from the "
                "light's centre tells is known.",

@@ -4,7 +4,8 @@
  * @brief   Technique wedges: soft shadow volumes by penumbra wedges.
  *
  * Assarsson, Dougherty, Mounier and Akenine-Moeller, An optimized soft shadow volume algorithm with
- * real-time performance, EGSR 2003; and, beyond it, counts for each sample of the light.
+ * real-time performance, EGSR 2003; and, beyond it, counts for each sample of the light. A textured light
+ * is looked up in tables, of each channel; one without emission is decided by geometry.
  *
  * Stages:
  *   1. Silhouettes from the light's centre, where light or casters changed (vtkShadowSilhouetteCache).
@@ -25,13 +26,18 @@
  *   bounds   tight   tight or sphere: what bounds a wedge; the picture is the same
  *
  * Debug views: "centre", how often the light's centre is hidden; "inner" and "outer", what the halves of
- * the wedges let through and hide; "cost", wedges drawn over a pixel.
+ * the wedges let through and hide; "edges", the former less the latter; "wedges", outlines of the faces
+ * that bound them; "cost", wedges drawn over a pixel.
+ * The statistics have each view's sum over the pixels: centrePixels and so on; wedgePixels of the cost.
  *
  * Textures and buffers, beside those of vtkShadowSilhouetteCache and vtkShadowVolumes:
  *   wedges   vertex buffer     60 bytes a corner (92 with overlap=count), about 50 corners a wedge
  *   planes   RGBA32F buffer    a texel a line of the silhouettes
- *   sums     RG32F             viewport size: how often the centre is hidden, what edges let through
- *   loops    2 x RG32F         viewport size: what loops hide, what holes let through; of overlap=loops
+ *   sums     RG32F, RGBA32F with a textured light
+ *                              viewport size: how often the centre is hidden, what edges let through
+ *   loops    2 x RG32F         viewport size: what loops hide, what holes let through; of overlap=loops, a
+ *                              layer each channel of a textured light
+ *   emission RGBA32F           65 x 33, 129 layers: tables of vtkPenumbraEmission.h, of each textured area
  *   counts   1 to 8 x RGBA32F  viewport size: of samples, 4, 3 or 2 digits a channel
  */
 

@@ -17,6 +17,7 @@
 #include "vtkVisibilityBuffer.h"
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -85,8 +86,9 @@ bool vtkPenumbraWedgeTechnique::UpdateLightData(vtkShadowFrame& frame)
     this->Bounds = bounds;
     this->Overlap = overlap;
     this->Samples = samples;
-    this->Parts.clear();
+    this->ReleaseParts(frame.Window, 0);
   }
+  this->ReleaseParts(frame.Window, frame.Parts.size());
   this->Parts.resize(frame.Parts.size());
   for (int i = 0; i < static_cast<int>(frame.Parts.size()); ++i)
   {
@@ -122,7 +124,8 @@ void vtkPenumbraWedgeTechnique::UpdatePart(vtkShadowFrame& frame, int part)
       state.Areas.pop_back();
     }
     state.Samples.Count = 0;
-    const bool counts = this->Overlap == "count" || light.Emission;
+    const bool counts = this->Overlap == "count";
+    this->UpdateEmissions(frame, part, side);
     const auto bounds =
       this->Bounds == "sphere" ? vtkShadowWedge::Bounds::Sphere : vtkShadowWedge::Bounds::Tight;
     for (std::size_t k = 0; k < areas; ++k)
@@ -135,6 +138,7 @@ void vtkPenumbraWedgeTechnique::UpdatePart(vtkShadowFrame& frame, int part)
       vtkPenumbraWedges& wedges = *state.Areas[k];
       const vtkShadowSilhouetteCache::Batch& batch = this->Volumes.GetBatch(frame, part, place);
       wedges.SetLight(MakeArea(light, silhouettes.GetPlace(part, place), side));
+      wedges.SetEmission(this->IsColor(part) ? state.Emissions[k].get() : nullptr);
       wedges.MakePlanes(frame, batch, place);
       if (counts)
       {
@@ -155,6 +159,59 @@ void vtkPenumbraWedgeTechnique::UpdatePart(vtkShadowFrame& frame, int part)
 }
 
 //------------------------------------------------------------------------------
+void vtkPenumbraWedgeTechnique::UpdateEmissions(vtkShadowFrame& frame, int part, int side)
+{
+  PartState& state = this->Parts[part];
+  const vtkShadowLight& light = frame.Parts[part].Light;
+  const std::size_t areas =
+    light.Emission && this->Overlap != "count" ? static_cast<std::size_t>(side) * side : 0;
+  if (areas == state.Emissions.size() &&
+      (areas == 0 || (light.Emission == state.Image && light.EmissionTime == state.ImageTime)))
+  {
+    return;
+  }
+  for (const auto& emission : state.Emissions)
+  {
+    emission->Release(frame.Window);
+  }
+  state.Emissions.clear();
+  state.Image = light.Emission;
+  state.ImageTime = light.EmissionTime;
+  for (std::size_t k = 0; k < areas; ++k)
+  {
+    // In the order of vtkShadowCasters::GetMiddles.
+    const glm::dvec2 low(k % side, k / side);
+    state.Emissions.push_back(std::make_unique<vtkPenumbraEmission>());
+    state.Emissions.back()->Set(
+      frame.Window, light, low / double(side), (low + 1.0) / double(side));
+  }
+}
+
+//------------------------------------------------------------------------------
+glm::vec3 vtkPenumbraWedgeTechnique::GetShare(int part, int area) const
+{
+  const PartState& state = this->Parts[part];
+  const double even = 1.0 / static_cast<double>(state.Areas.size());
+  if (!this->IsColor(part))
+  {
+    return glm::vec3(static_cast<float>(even));
+  }
+  glm::dvec3 whole(0.0);
+  for (const auto& emission : state.Emissions)
+  {
+    whole += emission->GetWhole();
+  }
+  const glm::dvec3 own = state.Emissions[area]->GetWhole();
+  glm::vec3 share;
+  for (int c = 0; c < 3; ++c)
+  {
+    // A channel without emission is that of an evenly bright light.
+    share[c] = static_cast<float>(whole[c] > 0.0 ? own[c] / whole[c] : even);
+  }
+  return share;
+}
+
+//------------------------------------------------------------------------------
 void vtkPenumbraWedgeTechnique::AddWedges(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer,
   const std::vector<const vtkShadowTexture*>& targets, int layer, int part,
   vtkPenumbraWedges& wedges, const char* shader, const std::string& definitions,
@@ -165,7 +222,9 @@ void vtkPenumbraWedgeTechnique::AddWedges(vtkShadowFrame& frame, vtkVisibilityBu
     false };
   vtkShadowTexture& receivers = buffer.GetReceivers().GetTexture();
   receivers.Activate(frame.Window);
-  this->Volumes.AddBehind(frame, buffer, targets, layer,
+  wedges.Activate(frame.Window);
+  this->Volumes.AddBehind(
+    frame, buffer, targets, layer,
     [&](const glm::dmat4& SWCToDraw, float farthest, const glm::vec2& retreat)
     {
       wedges.Draw(
@@ -181,7 +240,9 @@ void vtkPenumbraWedgeTechnique::AddWedges(vtkShadowFrame& frame, vtkVisibilityBu
           }
         },
         some);
-    });
+    },
+    buffer.GetQuantity() == "wedges");
+  wedges.Deactivate(frame.Window);
   receivers.Deactivate(frame.Window);
 }
 
@@ -204,6 +265,7 @@ void vtkPenumbraWedgeTechnique::DrawOver(vtkShadowFrame& frame, vtkVisibilityBuf
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
   vtkShadowTexture& receivers = buffer.GetReceivers().GetTexture();
   receivers.Activate(frame.Window);
+  wedges.Activate(frame.Window);
   sums.Activate(frame.Window);
   frame.Quad->Draw(frame.Window, source,
     [&](vtkShaderProgram* program)
@@ -214,6 +276,7 @@ void vtkPenumbraWedgeTechnique::DrawOver(vtkShadowFrame& frame, vtkVisibilityBuf
       setParameters(program);
     });
   sums.Deactivate(frame.Window);
+  wedges.Deactivate(frame.Window);
   receivers.Deactivate(frame.Window);
 }
 
@@ -270,10 +333,11 @@ void vtkPenumbraWedgeTechnique::CombineLoops(
   vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part, int area)
 {
   vtkPenumbraWedges& wedges = *this->Parts[part].Areas[area];
+  const int channels = this->IsColor(part) ? 3 : 1;
   for (auto& texture : this->Loops)
   {
-    texture.Allocate(
-      frame.Window, vtkShadowTexture::Format::Float2, buffer.GetWidth(), buffer.GetHeight(), 1);
+    texture.Allocate(frame.Window, vtkShadowTexture::Format::Float2, buffer.GetWidth(),
+      buffer.GetHeight(), channels);
   }
   int last = 0; // which holds what is combined
   const auto loops = this->GetLoops(frame, part, area);
@@ -281,16 +345,23 @@ void vtkPenumbraWedgeTechnique::CombineLoops(
   const auto combine = [&](const char* definitions)
   {
     this->Loops[last].Activate(frame.Window);
-    this->DrawOver(frame, buffer, this->Loops[1 - last], 0, false, this->Sums, wedges,
-      vtkPenumbraLoopsFS, definitions,
-      [&](vtkShaderProgram* program)
-      { program->SetUniformi("shadowLoops", this->Loops[last].GetUnit()); });
+    for (int c = 0; c < channels; ++c)
+    {
+      this->DrawOver(frame, buffer, this->Loops[1 - last], c, false, this->Sums, wedges,
+        vtkPenumbraLoopsFS, definitions,
+        [&](vtkShaderProgram* program)
+        {
+          program->SetUniformi("shadowLoops", this->Loops[last].GetUnit());
+          program->SetUniformi("shadowChannel", c);
+        });
+    }
     this->Loops[last].Deactivate(frame.Window);
     last = 1 - last;
   };
+  for (int c = 0; c < channels; ++c)
   {
     vtkShadowFramebuffer::Scope scope(
-      frame.Window, buffer.GetFramebuffer(), &this->Loops[last], nullptr, 0);
+      frame.Window, buffer.GetFramebuffer(), &this->Loops[last], nullptr, c);
     const float none[] = { 0.0f, 0.0f, 0.0f, 0.0f };
     glClearBufferfv(GL_COLOR, 0, none);
   }
@@ -322,10 +393,11 @@ void vtkPenumbraWedgeTechnique::AddArea(
     this->CountCentre(frame, buffer, part, area);
     this->AddWedges(frame, buffer, { &this->Sums }, 0, part, wedges, vtkPenumbraSumFS, "", nullptr);
   }
-  const float share = 1.0f / static_cast<float>(this->Parts[part].Areas.size());
+  const glm::vec3 share = this->GetShare(part, area);
   this->DrawOver(frame, buffer, buffer.GetTarget(), part, true, loops ? this->Loops[0] : this->Sums,
     wedges, vtkPenumbraAreaFS, loops ? "#define SHADOW_COMBINED\n" : "",
-    [share](vtkShaderProgram* program) { program->SetUniformf("shadowShare", share); });
+    [&](vtkShaderProgram* program)
+    { program->SetUniform3f("shadowShare", glm::value_ptr(share)); });
 }
 
 //------------------------------------------------------------------------------
@@ -342,6 +414,7 @@ void vtkPenumbraWedgeTechnique::AddQuantity(
   }
   const std::string shown = quantity == "inner"   ? "#define SHADOW_WEDGE_HALF 1\n"
                             : quantity == "outer" ? "#define SHADOW_WEDGE_HALF 0\n"
+                            : quantity == "edges" ? "#define SHADOW_WEDGE_EDGES\n"
                                                   : "#define SHADOW_QUANTITY\n";
   const bool counts = this->CountsSamples(part);
   this->AddWedges(frame, buffer, { &buffer.GetTarget() }, part, part, wedges,
@@ -409,7 +482,10 @@ void vtkPenumbraWedgeTechnique::FillVisibility(vtkShadowFrame& frame, vtkVisibil
   const bool cost = !buffer.GetQuantity().empty();
   this->Most = 0.0;
   bool memory = this->Volumes.UpdateDepth(frame, buffer);
-  memory = memory && this->Sums.Allocate(frame.Window, vtkShadowTexture::Format::Float2,
+  const bool color = std::any_of(this->Parts.begin(), this->Parts.end(),
+    [](const PartState& state) { return !state.Emissions.empty(); });
+  memory = memory && this->Sums.Allocate(frame.Window,
+                       color ? vtkShadowTexture::Format::Float4 : vtkShadowTexture::Format::Float2,
                        buffer.GetWidth(), buffer.GetHeight(), 1);
   for (int i = 0; memory && i < static_cast<int>(frame.Parts.size()); ++i)
   {
@@ -433,10 +509,8 @@ void vtkPenumbraWedgeTechnique::FillVisibility(vtkShadowFrame& frame, vtkVisibil
     {
       const auto values = buffer.ReadTarget(frame.Window, i);
       this->Most = std::max<double>(this->Most, *std::max_element(values.begin(), values.end()));
-      if (buffer.GetQuantity() == "cost")
-      {
-        frame.Counts["wedgePixels"] += std::accumulate(values.begin(), values.end(), 0.0);
-      }
+      const std::string name = buffer.GetQuantity() == "cost" ? "wedge" : buffer.GetQuantity();
+      frame.Counts[name + "Pixels"] += std::accumulate(values.begin(), values.end(), 0.0);
     }
   }
   if (!memory)
@@ -451,14 +525,20 @@ std::vector<std::pair<std::string, std::size_t>> vtkPenumbraWedgeTechnique::GetB
 {
   auto bytes = this->Volumes.GetBytes();
   std::size_t wedges = 0;
+  std::size_t emissions = 0;
   for (const auto& state : this->Parts)
   {
     for (const auto& area : state.Areas)
     {
       wedges += area->GetBytes();
     }
+    for (const auto& emission : state.Emissions)
+    {
+      emissions += emission->GetTexture().GetBytes();
+    }
   }
   bytes.emplace_back("wedges", wedges);
+  bytes.emplace_back("emissions", emissions);
   std::size_t counts =
     this->Sums.GetBytes() + this->Loops[0].GetBytes() + this->Loops[1].GetBytes();
   for (const auto& target : this->Counts)
@@ -470,16 +550,26 @@ std::vector<std::pair<std::string, std::size_t>> vtkPenumbraWedgeTechnique::GetB
 }
 
 //------------------------------------------------------------------------------
-void vtkPenumbraWedgeTechnique::Release(vtkOpenGLRenderWindow* window)
+void vtkPenumbraWedgeTechnique::ReleaseParts(vtkOpenGLRenderWindow* window, std::size_t first)
 {
-  for (auto& state : this->Parts)
+  for (std::size_t i = first; i < this->Parts.size(); ++i)
   {
-    for (const auto& area : state.Areas)
+    for (const auto& area : this->Parts[i].Areas)
     {
       area->Release(window);
     }
+    for (const auto& emission : this->Parts[i].Emissions)
+    {
+      emission->Release(window);
+    }
   }
-  this->Parts.clear();
+  this->Parts.resize(std::min(first, this->Parts.size()));
+}
+
+//------------------------------------------------------------------------------
+void vtkPenumbraWedgeTechnique::Release(vtkOpenGLRenderWindow* window)
+{
+  this->ReleaseParts(window, 0);
   this->Sums.Release(window);
   this->Loops[0].Release(window);
   this->Loops[1].Release(window);

@@ -4,6 +4,7 @@
 #ifndef vtkPenumbraWedgeTechnique_h
 #define vtkPenumbraWedgeTechnique_h
 
+#include "vtkPenumbraEmission.h"
 #include "vtkPenumbraSamples.h"
 #include "vtkPenumbraWedges.h"
 #include "vtkShadowTechnique.h"
@@ -24,7 +25,10 @@ public:
   double GetMaximumCost() override { return this->Most; }
   std::string GetDebugQuantity(const std::string& view) override
   {
-    return view == "cost" || view == "centre" || view == "inner" || view == "outer" ? view : "";
+    return view == "cost" || view == "centre" || view == "inner" || view == "outer" ||
+               view == "edges" || view == "wedges"
+             ? view
+             : "";
   }
   std::vector<std::pair<std::string, std::size_t>> GetBytes() override;
   void Release(vtkOpenGLRenderWindow* window) override;
@@ -37,9 +41,19 @@ private:
 
     std::vector<std::unique_ptr<vtkPenumbraWedges>> Areas;
     std::pair<unsigned long, unsigned long> Version; // of silhouettes and receivers, then
+
+    std::vector<std::unique_ptr<vtkPenumbraEmission>> Emissions; // of the areas of a textured light
+    vtkSmartPointer<vtkImageData> Image;                         // they are made of
+    vtkMTimeType ImageTime = 0;
   };
 
+  /** Forget the parts of lights from the first one on. */
+  void ReleaseParts(vtkOpenGLRenderWindow* window, std::size_t first);
   void UpdatePart(vtkShadowFrame& frame, int part);
+  /** Make the tables of what side x side areas of a textured light emit; none of others. */
+  void UpdateEmissions(vtkShadowFrame& frame, int part, int side);
+  /** An area's share of what the light emits, of each channel. */
+  glm::vec3 GetShare(int part, int area) const;
   /** Add what an area's edges let through and hide to a layer of a target. */
   void AddWedges(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer,
     const std::vector<const vtkShadowTexture*>& targets, int layer, int part,
@@ -64,6 +78,7 @@ private:
     const char* shader, const std::string& definitions,
     const std::function<void(vtkShaderProgram*)>& setParameters);
   bool CountsSamples(int part) const { return this->Parts[part].Samples.Count > 0; }
+  bool IsColor(int part) const { return !this->Parts[part].Emissions.empty(); }
 
   vtkShadowVolumes Volumes;
   std::vector<PartState> Parts;

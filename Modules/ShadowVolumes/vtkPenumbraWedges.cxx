@@ -2,6 +2,7 @@
 #include "vtkPenumbraWedges.h"
 
 #include "vtkPenumbraCoverFS.h"
+#include "vtkPenumbraEmission.h"
 #include "vtkPenumbraLightFS.h"
 #include "vtkShaderProgram.h"
 #include "vtkShadowCasters.h"
@@ -325,7 +326,25 @@ std::string vtkPenumbraWedges::GetLightGLSL() const
                     : this->Light.Kind == Shape::Sphere  ? 2
                                                          : 3;
   return "#define SHADOW_WEDGE_SHAPE " + std::to_string(shape) + "\n" + vtkPenumbraLightFS +
-         vtkPenumbraCoverFS;
+         (this->Emission ? vtkPenumbraEmission::GetGLSL() : "") + vtkPenumbraCoverFS;
+}
+
+//------------------------------------------------------------------------------
+void vtkPenumbraWedges::Activate(vtkOpenGLRenderWindow* window) const
+{
+  if (this->Emission)
+  {
+    this->Emission->GetTexture().Activate(window);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPenumbraWedges::Deactivate(vtkOpenGLRenderWindow* window) const
+{
+  if (this->Emission)
+  {
+    this->Emission->GetTexture().Deactivate(window);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -345,6 +364,10 @@ void vtkPenumbraWedges::SetLight(const vtkShadowFrame& frame, vtkShaderProgram* 
   program->SetUniform3f("shadowAreaVVC", glm::value_ptr(vVC));
   program->SetUniform3f("shadowAreaNormalVC", glm::value_ptr(normalVC));
   program->SetUniformMatrix4x4("shadowVCToSWC", glm::value_ptr(VCToSWC));
+  if (this->Emission)
+  {
+    program->SetUniformi("shadowEmission", this->Emission->GetTexture().GetUnit());
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -21,6 +21,7 @@
 #include <string>
 #include <vector>
 
+class vtkPenumbraEmission;
 class vtkShaderProgram;
 class vtkShadowAdjacencies;
 class vtkShadowCasters;
@@ -34,6 +35,8 @@ class vtkPenumbraWedges
 public:
   /** Of which light, or part of its area. */
   void SetLight(const vtkShadowWedgeLight& light) { this->Light = light; }
+  /** Tables of what it emits, which outlive these; null where it emits evenly. */
+  void SetEmission(vtkPenumbraEmission* emission) { this->Emission = emission; }
   const vtkShadowWedgeLight& GetLight() const { return this->Light; }
 
   /** Make the planes of the silhouettes of a light's place, for the count of volumes. */
@@ -57,6 +60,10 @@ public:
     float farthest, const glm::vec2& retreat, const vtkShadowPrograms::Sources& sources,
     const std::function<void(vtkShaderProgram*)>& setParameters,
     const std::vector<int>* some = nullptr);
+  ///@{ Bind the tables of what it emits, around what is drawn with SetLight.
+  void Activate(vtkOpenGLRenderWindow* window) const;
+  void Deactivate(vtkOpenGLRenderWindow* window) const;
+  ///@}
   /** Set what vtkPenumbraLightFS.glsl needs; and what it is to begin with. */
   void SetLight(const vtkShadowFrame& frame, vtkShaderProgram* program) const;
   std::string GetLightGLSL() const;
@@ -88,6 +95,7 @@ private:
   std::vector<glm::dvec4> GetExtremes() const;
 
   vtkShadowWedgeLight Light;
+  vtkPenumbraEmission* Emission = nullptr;
   vtkShadowVertices Vertices;
   vtkShadowTexture Planes;
   std::vector<Part> Parts;

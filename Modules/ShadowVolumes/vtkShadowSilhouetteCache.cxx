@@ -75,10 +75,9 @@ void vtkShadowSilhouetteCache::UpdatePart(
   state.Places.clear();
   if (!state.Casters.empty())
   {
-    state.Samples =
-      this->Wanted.Split
-        ? frame.Casters->GetMiddles(light, light.Emission ? 1 : this->Wanted.Samples, state.Casters)
-        : frame.Casters->GetPlaces(light, this->Wanted.Samples, state.Casters);
+    state.Samples = this->Wanted.Split
+                      ? frame.Casters->GetMiddles(light, this->Wanted.Samples, state.Casters)
+                      : frame.Casters->GetPlaces(light, this->Wanted.Samples, state.Casters);
   }
   for (const auto& sample : state.Samples)
   {

@@ -92,11 +92,13 @@ public:
    * Add up what is drawn, where the back faces of something lie behind the receivers, in a layer of
    * targets. What draws gets the matrix to draw with, the clip coordinate of what is farthest, and what to
    * move back by: a share of the depth, and a depth.
+   * Or the outlines of faces, where they lie before the receiver.
    */
   void AddBehind(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer,
     const std::vector<const vtkShadowTexture*>& targets, int layer,
     const std::function<void(
-      const glm::dmat4& SWCToDraw, float farthest, const glm::vec2& retreat)>& draw);
+      const glm::dmat4& SWCToDraw, float farthest, const glm::vec2& retreat)>& draw,
+    bool outlines = false);
   /** Whether all that is behind a caster, from some places on a light, lies outside of the view. */
   bool IsOutOfView(const vtkShadowCaster& caster, const std::vector<glm::dvec4>& places) const;
   /** Add one where a face of a volume is drawn, in a layer of the buffer's target. */

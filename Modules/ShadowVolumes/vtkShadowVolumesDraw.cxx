@@ -395,7 +395,8 @@ void vtkShadowVolumes::AddCounts(vtkShadowFrame& frame, vtkVisibilityBuffer& buf
 void vtkShadowVolumes::AddBehind(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer,
   const std::vector<const vtkShadowTexture*>& targets, int layer,
   const std::function<void(const glm::dmat4& SWCToDraw, float farthest, const glm::vec2& retreat)>&
-    draw)
+    draw,
+  bool outlines)
 {
   vtkShadowFramebuffer::Scope scope(
     frame.Window, buffer.GetFramebuffer(), targets, &this->Depth, layer);
@@ -412,7 +413,18 @@ void vtkShadowVolumes::AddBehind(vtkShadowFrame& frame, vtkVisibilityBuffer& buf
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   }
   glEnable(GL_DEPTH_CLAMP);
+  if (outlines)
+  {
+    state->vtkglDisable(GL_BLEND);
+    state->vtkglDisable(GL_CULL_FACE);
+    state->vtkglDepthFunc(GL_GEQUAL);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  }
   draw(this->SWCToDraw, this->ClipControl ? 0.0f : -1.0f, this->GetRetreat());
+  if (outlines)
+  {
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  }
   glDisable(GL_DEPTH_CLAMP);
   if (this->ClipControl)
   {

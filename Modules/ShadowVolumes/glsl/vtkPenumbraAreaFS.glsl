@@ -7,9 +7,15 @@
 
 //VTK::Output::Dec
 
+#ifdef SHADOW_WEDGE_EMISSION
+#define SHADOW_LAYER(channel) channel
+#else
+#define SHADOW_LAYER(channel) 0
+#endif
+
 uniform sampler2DArray shadowReceivers;
 uniform sampler2DArray shadowSums; // how often the centre is hidden, what edges let through
-uniform float shadowShare;
+uniform vec3 shadowShare;
 
 void main()
 {
@@ -18,18 +24,23 @@ void main()
   {
     discard;
   }
-  vec4 sums = texelFetch(shadowSums, ivec3(gl_FragCoord.xy, 0), 0);
-  float above = 1.0;
+  vec3 above = vec3(1.0);
   if (receiverVC.w > 0.0)
   {
     shadowAreaSeen area = shadowSeeArea(receiverVC.xyz);
-    above = shadowAboveHorizon(
-      shadowHorizon(area, shadowUnpackReceiver(receiverVC.w).normalVC));
+    above = vec3(shadowAboveHorizon(
+      shadowHorizon(area, shadowUnpackReceiver(receiverVC.w).normalVC)));
   }
+  vec3 seen;
+  for (int c = 0; c < 3; ++c)
+  {
 #ifdef SHADOW_COMBINED
-  vec3 seen = clamp(vec3(above - sums.x + sums.y), 0.0, 1.0);
+    vec4 sums = texelFetch(shadowSums, ivec3(gl_FragCoord.xy, SHADOW_LAYER(c)), 0);
+    seen[c] = above[c] - sums.x + sums.y;
 #else
-  vec3 seen = clamp(above * (1.0 - sums.x) + sums.yyy, 0.0, 1.0);
+    vec4 sums = texelFetch(shadowSums, ivec3(gl_FragCoord.xy, 0), 0);
+    seen[c] = above[c] * (1.0 - sums.x) + sums[1 + SHADOW_LAYER(c)];
 #endif
-  gl_FragData[0] = vec4(shadowShare * (seen - 1.0), 0.0);
+  }
+  gl_FragData[0] = vec4(shadowShare * (clamp(seen, 0.0, 1.0) - 1.0), 0.0);
 }

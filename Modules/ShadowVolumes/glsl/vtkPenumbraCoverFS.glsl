@@ -1,5 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shares of a light that lines cut off: on the light, whose centre is 0 and whose half axes are 1.
+// Of a textured light a share each channel.
+
+#ifdef SHADOW_WEDGE_EMISSION
+#define SHADOW_SHARES vec3
+#else
+#define SHADOW_SHARES float
+#endif
 
 // The half plane of the light that a surface, from a point of it, hides from itself; xy along the
 // light, z in its centre: what is positive is seen.
@@ -35,9 +42,14 @@ float shadowCross(vec2 p, vec2 q)
 }
 
 // The light between a line's part within it and its border, seen from its centre: the sector less
-// the triangle. Not signed.
-float shadowCoverOfPart(vec2 p, vec2 q)
+// the triangle. Not signed. The turn from p to q is 1 counterclockwise, or -1; where they lie on
+// opposite sides of the centre a textured light's share depends on it.
+SHADOW_SHARES shadowCoverOfPart(vec2 p, vec2 q, float turn)
 {
+#ifdef SHADOW_WEDGE_EMISSION
+  return max(vec3(0.0), shadowEmissionOfSector(shadowPerimeter(turn < 0.0 ? q : p),
+    shadowPerimeter(turn < 0.0 ? p : q)) - shadowEmissionOfTriangle(p, q));
+#else
   float twice = abs(shadowCross(p, q));
 #if SHADOW_WEDGE_SHAPE == 0
   float d = abs(shadowPerimeter(p) - shadowPerimeter(q));
@@ -45,6 +57,12 @@ float shadowCoverOfPart(vec2 p, vec2 q)
 #else
   return max(0.0, atan(twice, dot(p, q)) - twice) / 6.283185307;
 #endif
+#endif
+}
+
+float shadowTurn(vec2 p, vec2 q)
+{
+  return shadowCross(p, q) < 0.0 ? -1.0 : 1.0;
 }
 
 #define SHADOW_CLIP(a, b) \
@@ -80,31 +98,33 @@ vec4 shadowChord(vec3 line)
 }
 
 // What a surface sees of the light beside itself.
-float shadowAboveHorizon(vec3 line)
+SHADOW_SHARES shadowAboveHorizon(vec3 line)
 {
   if (!shadowIsCut(line))
   {
-    return line.z < 0.0 ? 0.0 : 1.0;
+    return SHADOW_SHARES(line.z < 0.0 ? 0.0 : 1.0);
   }
   vec4 chord = shadowChord(line);
-  float cover = shadowCoverOfPart(chord.xy, chord.zw);
+  SHADOW_SHARES cover =
+    shadowCoverOfPart(chord.xy, chord.zw, shadowTurn(chord.xy, chord.zw));
   return line.z < 0.0 ? cover : 1.0 - cover;
 }
 
 // The light behind a chord, between the rays from the centre through two points.
-float shadowCoverOfSector(vec4 chord, vec2 p, vec2 q)
+SHADOW_SHARES shadowCoverOfSector(vec4 chord, vec2 p, vec2 q)
 {
-  float turn = shadowCross(p, q) < 0.0 ? -1.0 : 1.0;
+  float turn = shadowTurn(p, q);
   float first = 0.0;
   float last = 1.0;
   SHADOW_CLIP(turn * shadowCross(p, chord.xy), turn * shadowCross(p, chord.zw))
   SHADOW_CLIP(turn * shadowCross(chord.xy, q), turn * shadowCross(chord.zw, q))
-  return last > first
-    ? shadowCoverOfPart(mix(chord.xy, chord.zw, first), mix(chord.xy, chord.zw, last)) : 0.0;
+  vec2 from = mix(chord.xy, chord.zw, first);
+  vec2 to = mix(chord.xy, chord.zw, last);
+  return last > first ? shadowCoverOfPart(from, to, shadowTurn(from, to)) : SHADOW_SHARES(0.0);
 }
 
 // Of a part within the light, what lies above the horizon of what is behind it.
-float shadowCoverAbove(vec2 p, vec2 q, vec3 line)
+SHADOW_SHARES shadowCoverAbove(vec2 p, vec2 q, float turn, vec3 line)
 {
   float a = dot(line, vec3(p, 1.0));
   float b = dot(line, vec3(q, 1.0));
@@ -113,20 +133,21 @@ float shadowCoverAbove(vec2 p, vec2 q, vec3 line)
   vec2 aboveP = a >= 0.0 ? p : middle;
   vec2 aboveQ = b >= 0.0 ? q : middle;
   vec4 chord = shadowChord(line);
-  float cover = some ? shadowCoverOfPart(aboveP, aboveQ) : 0.0;
+  SHADOW_SHARES none = SHADOW_SHARES(0.0);
+  SHADOW_SHARES cover = some ? shadowCoverOfPart(aboveP, aboveQ, turn) : none;
   if (line.z >= 0.0)
   {
     // What lies behind the horizon is not behind the edge's part above it.
-    return some ? max(0.0, cover - shadowCoverOfSector(chord, aboveP, aboveQ)) : 0.0;
+    return some ? max(none, cover - shadowCoverOfSector(chord, aboveP, aboveQ)) : none;
   }
   // The centre is below: behind a part below lies what is above.
   bool less = a < 0.0 || b < 0.0;
   return cover + (less ? shadowCoverOfSector(chord, a < 0.0 ? p : middle, b < 0.0 ? q : middle)
-                       : 0.0);
+                       : none);
 }
 
-// The same of an edge, from the images of its ends (x, y, w).
-float shadowCover(vec3 from, vec3 to, bool cut, vec3 horizon)
+// The same of an edge, from the images of its ends (x, y, w), and its turn around the centre.
+SHADOW_SHARES shadowCover(vec3 from, vec3 to, float turn, bool cut, vec3 horizon)
 {
   // The part of the edge between the receiver and the light. Near the receiver the image is far
   // off.
@@ -146,7 +167,7 @@ float shadowCover(vec3 from, vec3 to, bool cut, vec3 horizon)
 #endif
   if (!(last > first))
   {
-    return 0.0;
+    return SHADOW_SHARES(0.0);
   }
   vec3 a = first > 0.0 ? from + first * along : from;
   vec3 b = last < 1.0 ? from + last * along : to;
@@ -160,7 +181,7 @@ float shadowCover(vec3 from, vec3 to, bool cut, vec3 horizon)
   float height = line.z / slope;
   if (!(abs(height) < 1.0))
   {
-    return 0.0;
+    return SHADOW_SHARES(0.0);
   }
   vec2 tangent = vec2(-line.y, line.x) / slope;
   float chord = sqrt((1.0 - height) * (1.0 + height));
@@ -169,11 +190,11 @@ float shadowCover(vec3 from, vec3 to, bool cut, vec3 horizon)
   vec2 p = foot + ends.x * tangent;
   vec2 q = foot + ends.y * tangent;
 #endif
-  float cover = shadowCoverOfPart(p, q);
+  SHADOW_SHARES cover = shadowCoverOfPart(p, q, turn);
   // A loop, since software jumps over loops, and not over branches.
   for (int i = cut ? 0 : 1; i < 1; ++i)
   {
-    cover = shadowCoverAbove(p, q, horizon);
+    cover = shadowCoverAbove(p, q, turn, horizon);
   }
   return cover;
 }

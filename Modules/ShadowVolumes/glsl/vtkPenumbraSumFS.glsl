@@ -26,22 +26,30 @@ void main()
   }
   shadowAreaSeen area = shadowSeeArea(receiverVC.xyz);
   vec3 horizon = shadowHorizon(area, normalVC);
-  float cover = shadowTimes * shadowCover((shadowFromVC - receiverVC.xyz) * area.rows,
-    (shadowToVC - receiverVC.xyz) * area.rows, shadowSelf && shadowIsCut(horizon), horizon);
+  bool behind = shadowIsBehind(shadowPlaneSWC, receiverVC);
+  // By the predicate, since rounding may turn the image of an edge that passes the centre.
+  float turn = behind == (determinant(area.rows) < 0.0) ? -1.0 : 1.0;
+  // Whole millionths (2^-20), which floats add up without rounding as long as a sum is less than 16
+  // lights: in any order of the edges, and with the halves of wedges apart or together.
+  vec3 cover = vec3(shadowTimes / 1048576.0 * floor(0.5 + 1048576.0 *
+    shadowCover((shadowFromVC - receiverVC.xyz) * area.rows,
+    (shadowToVC - receiverVC.xyz) * area.rows, turn, shadowSelf && shadowIsCut(horizon),
+    horizon)));
 #ifdef SHADOW_QUANTITY
   // Wedges over a pixel. The edge is asked all the same: its attributes are bound.
-  float least = shadowIsBehind(shadowPlaneSWC, receiverVC) ? -1e30 : -2e30;
-  gl_FragData[0] = vec4(cover > least ? 1.0 : 0.0);
+  float least = behind ? -1e30 : -2e30;
+  gl_FragData[0] = vec4(cover.x > least ? 1.0 : 0.0);
 #else
-  if (cover == 0.0)
+  if (cover == vec3(0.0))
   {
     discard;
   }
-  bool behind = shadowIsBehind(shadowPlaneSWC, receiverVC);
-#ifdef SHADOW_WEDGE_HALF
-  gl_FragData[0] = vec4(behind == (SHADOW_WEDGE_HALF == 1) ? cover : 0.0);
+#if defined(SHADOW_WEDGE_EDGES)
+  gl_FragData[0] = vec4(behind ? cover : -cover, 0.0);
+#elif defined(SHADOW_WEDGE_HALF)
+  gl_FragData[0] = vec4(behind == (SHADOW_WEDGE_HALF == 1) ? cover : vec3(0.0), 0.0);
 #else
-  gl_FragData[0] = vec4(0.0, vec3(behind ? cover : -cover));
+  gl_FragData[0] = vec4(0.0, behind ? cover : -cover);
 #endif
 #endif
 }
