@@ -26,6 +26,12 @@ namespace
 constexpr std::size_t MostBoxes = 1048576;
 constexpr std::size_t MostBoxesInView = 262144;
 
+/** Of a caster of so many vertices, its box tells what lies behind a plane; else they do. */
+constexpr std::size_t MostVertices = 65536;
+
+/** So many vertices take as long to look at as a box. */
+constexpr std::size_t VerticesOfBox = 16;
+
 /** What sizes may differ by and still count as the same. */
 constexpr double Rounding = 1e-6;
 
@@ -219,6 +225,27 @@ bool vtkLightRegions::Region::IsBefore(const Box& box) const
 }
 
 //------------------------------------------------------------------------------
+bool vtkLightRegions::Region::IsBefore(const vtkShadowCaster& caster) const
+{
+  if (caster.Mesh->GetNumberOfVertices() > MostVertices)
+  {
+    return true;
+  }
+  const double tolerance = Rounding * glm::length(caster.Corners[7] - caster.Corners[0]);
+  const glm::dvec4 row(this->Normal, tolerance - glm::dot(this->Normal, this->Point));
+  const glm::dvec4 rowMC = row * caster.MeshToSWC; // the row times the matrix
+  const auto& positions = caster.Mesh->Positions;
+  for (std::size_t i = 0; i + 2 < positions.size(); i += 3)
+  {
+    if (glm::dot(rowMC, glm::dvec4(positions[i], positions[i + 1], positions[i + 2], 1.0)) < 0.0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
 bool vtkLightRegions::FindPlane(
   Region& region, const vtkShadowLight& light, const vtkShadowCasters& casters) const
 {
@@ -350,7 +377,16 @@ vtkLightRegions::vtkLightRegions(const vtkShadowLightPart& part, const vtkShadow
     region.Caster = entry.second;
     region.Plane = this->FindPlane(region, part.Light, casters);
     const auto isBehind = [&](int box)
-    { return box != region.Caster && region.IsBefore(this->Boxes[box]); };
+    {
+      if (box == region.Caster || !region.IsBefore(this->Boxes[box]))
+      {
+        return false;
+      }
+      looked += box < static_cast<int>(all.size())
+                  ? static_cast<std::size_t>(all[box].Mesh->GetNumberOfVertices()) / VerticesOfBox
+                  : 0;
+      return box >= static_cast<int>(all.size()) || region.IsBefore(all[box]);
+    };
     if (!region.Plane && this->IsShell(region.Caster, part.Light, casters))
     {
       continue;

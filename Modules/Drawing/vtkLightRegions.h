@@ -21,6 +21,7 @@
 #include <vector>
 
 class vtkShadowCasters;
+struct vtkShadowCaster;
 struct vtkShadowLight;
 struct vtkShadowLightPart;
 
@@ -85,6 +86,8 @@ private:
     /** Whether some of a box lies behind the plane, beyond a tolerance. */
     bool IsBefore(const Box& box, double tolerance) const;
     bool IsBefore(const Box& box) const;
+    /** Of one whose box does: where its sides are askew to the plane, the vertices may not. */
+    bool IsBefore(const vtkShadowCaster& caster) const;
   };
 
   bool IsShell(int index, const vtkShadowLight& light, const vtkShadowCasters& casters) const;

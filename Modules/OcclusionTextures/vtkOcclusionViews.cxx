@@ -320,8 +320,9 @@ std::vector<vtkOcclusionView> vtkOcclusionView::Find(
     return views;
   }
 
-  // Along the direction to the largest caster, which does not move with others, or to all; also for a plane light of no size, and of so little that it is
-  // within a texel, or the limit would have other texels. Else parallel to it, where that sees all.
+  // Along the direction to the largest caster, which does not move with others, or to all; also for a
+  // plane light of no size, and of so little that it is within a texel, or the limit would have other
+  // texels. Else parallel to it, where that sees all.
   view.Place = light.Position - casters.GetOrigin();
   for (const auto& some : { std::vector<int>{ regions.GetLargest() }, regions.GetCasters() })
   {

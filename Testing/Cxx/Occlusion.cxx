@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace
 {
@@ -143,5 +144,49 @@ SHADOW_TEST(Occlusion, VisibilityIsContinuous, Once)
     ShadowTest::CheckAtMost(
       Compare(render(), before, 0.1, use).Maximum, 0.03, prefilter + ": receiver moved");
     floor->SetPosition(0.0, 0.0, 0.0);
+  }
+}
+
+//------------------------------------------------------------------------------
+// A box on its way through a slice, a hundredth of it at a time: its faces cross slice planes. What spans n
+// slices then spans one more or less: as if independent, where each hides o that changes the light by
+// o (1 - o)^n, 0.067 at the most for the five that the box fills at the least. The upper face comes to lie
+// a slice above where it was: that, 0.15 above the 1.8 of the lower one, moves its edge in the kernel by
+// 1/12. Two quads hold the slices in place.
+SHADOW_TEST(Occlusion, CrossingASlicePlaneChangesLittle, Once)
+{
+  ShadowStage stage(80, 80);
+  vtkActor* floor = stage.AddFloor();
+  stage.AddQuad({ 1.5, -0.1, 3.6 }, { 0.2, 0.0, 0.0 }, { 0.0, 0.2, 0.0 });
+  stage.AddQuad({ 1.5, -0.1, 1.2 }, { 0.2, 0.0, 0.0 }, { 0.0, 0.2, 0.0 });
+  vtkActor* box = stage.AddBox({ 0.0, 0.0, 2.37 }, { 1.5, 1.5, 1.0 });
+  vtkAreaLight* light = stage.AddLight(LightKind::Rectangle, { 0.3, 0.2, 6.0 }, { 0.3, 0.2, 0.0 });
+  light->SetWidth(2.0);
+  light->SetHeight(2.0);
+  stage.LookAt({ 3.6, -11.0, 6.4 }, { 0.0, 0.0, 0.7 });
+  const double slice = (3.6 - 1.2) / 16.0;
+  for (const std::string combine : { "product", "bits" })
+  {
+    stage.SetPass(Name, { { "combine", combine }, { "samples", "256" }, { "resolution", "512" } });
+    box->SetPosition(0.0, 0.0, slice);
+    auto use = ShadowOracle(stage).GetMask(floor);
+    box->SetPosition(0.0, 0.0, 0.0);
+    const auto free = ShadowOracle(stage).GetMask(floor);
+    std::transform(use.begin(), use.end(), free.begin(), use.begin(), std::logical_and<>());
+    double most = 0.0;
+    Visibility before;
+    for (int i = 0; i <= 100; ++i)
+    {
+      box->SetPosition(0.0, 0.0, 0.01 * i * slice);
+      stage.Render();
+      Visibility now = stage.GetVisibility();
+      if (i > 0)
+      {
+        most = std::max(most, Compare(now, before, 0.1, use).Maximum);
+      }
+      before = std::move(now);
+    }
+    ShadowTest::CheckAtMost(GetRange(before).first, 0.3, combine + ": there is a shadow");
+    ShadowTest::CheckAtMost(most, 0.1, combine + ": most that a step changes");
   }
 }
