@@ -27,11 +27,11 @@ Visibility ShowThings(
     });
 }
 
-/** Of one map a light, filtered; others leave out look-ups too. */
+/** Of one depth map a light, looked up around a receiver; others leave out look-ups too. */
 bool IsFilter(const std::string& technique)
 {
   return ShadowStage::HasParameter(technique, "skipping") &&
-         ShadowStage::HasParameter(technique, "midpoint");
+         ShadowStage::HasParameter(technique, "filter");
 }
 
 /** RMSE in the penumbra against the closed form of the scene `blocker`, its light being that large. */
@@ -207,10 +207,8 @@ SHADOW_TEST(Filters, BlurHasNoHalo, Each)
 // resolution=0 follows the picture in powers of two, so that few sizes need new maps.
 SHADOW_TEST(Filters, ResolutionFollowsThePicture, Each)
 {
-  // Of layers along planes: Planar.ResolutionFollowsThePicture. What is made from receivers follows these.
-  if (!ShadowStage::HasParameter(technique, "resolution") ||
-      ShadowStage::Describe(technique).Traits.PlanarReceivers ||
-      ShadowStage::Describe(technique).Traits.NeedsReceivers)
+  // Of depth maps. Of layers along planes: Planar.ResolutionFollowsThePicture.
+  if (!ShadowStage::HasParameter(technique, "filter"))
   {
     return;
   }
