@@ -9,6 +9,7 @@
 #include <glm/vec2.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <vector>
@@ -106,7 +107,7 @@ double vtkShadowLayers::FindShare(const vtkShadowCasters& casters, const vtkShad
     high = glm::max(high, glm::dvec3(centre.Place, centre.Depth));
   }
   const double width = std::max(high.x - low.x, high.y - low.y);
-  if (centres.empty() || !(width > 0.0))
+  if (centres.empty() || !(width > 0.0 && std::isfinite(width)))
   {
     return 0.0;
   }
