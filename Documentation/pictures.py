@@ -4,11 +4,13 @@
 
     PYTHONPATH=build/lib/python /usr/bin/python3 Documentation/pictures.py
 
-Into Documentation/pictures: the gallery's ten scripts, a picture for each technique, and what fails where in
-choosing.md. With names, those alone. 600 pixels wide, smooth edges, the studio's light.
+Into Documentation/pictures: the gallery's ten scripts, a picture for each technique, what fails where in
+choosing.md, and the example programs'. With names, those alone. 600 pixels wide, smooth edges, the studio's
+light, but for programs that are about lights of their own.
 """
 
 import pathlib
+import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -31,6 +33,16 @@ CASES = {
     "steps-map-soft": ("helix", "map-soft", {"samples": 8}),
     "headlight": ("flow", "map-pcss", None),
 }
+
+EXAMPLES = ("one_line", "soft_shadows", "shadow_catcher", "molecule", "translucent", "many_lights",
+            "shadow_as_data")
+
+
+def run_example(name):
+    """As a reader runs it."""
+    subprocess.run([sys.executable, HERE / "examples" / f"{name}.py", HERE / "pictures" / f"{name}.png"],
+                   check=True, stdout=subprocess.DEVNULL)
+    print(name, flush=True)
 
 
 def draw(name, scene, technique, options):
@@ -63,11 +75,15 @@ def main():
         ground = "solid" if name.startswith("planar") else "catcher"
         pictures[name] = ("spikes", name, {"ground": ground})
     pictures.update(CASES)
-    unknown = set(sys.argv[1:]) - set(pictures)
+    known = [*pictures, *EXAMPLES]
+    unknown = set(sys.argv[1:]) - set(known)
     if unknown:
-        sys.exit(f"There is no picture {', '.join(sorted(unknown))}. Known: {', '.join(pictures)}.")
-    for name in sys.argv[1:] or pictures:
-        draw(name, *pictures[name])
+        sys.exit(f"There is no picture {', '.join(sorted(unknown))}. Known: {', '.join(known)}.")
+    for name in sys.argv[1:] or known:
+        if name in EXAMPLES:
+            run_example(name)
+        else:
+            draw(name, *pictures[name])
 
 
 if __name__ == "__main__":

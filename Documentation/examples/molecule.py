@@ -9,7 +9,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersGeneral import vtkVertexGlyphFilter
-from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkImagingCore import vtkImageResize
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, \
     vtkRenderWindow, vtkWindowToImageFilter
@@ -73,42 +73,31 @@ rods = imposters(
     along=[places[i] - places[j] for i, j in pairs],
     size=[(np.linalg.norm(places[i] - places[j]), 0.13, 0) for i, j in pairs])
 
-floor = vtkPlaneSource()
-low = balls.GetBounds()[4] - 0.3
-floor.SetOrigin(-30, -30, low)
-floor.SetPoint1(30, -30, low)
-floor.SetPoint2(-30, 30, low)
-mapper = vtkPolyDataMapper()
-mapper.SetInputConnection(floor.GetOutputPort())
-ground = vtkActor()
-ground.SetMapper(mapper)
-ground.GetProperty().SetColor(0.93, 0.90, 0.84)
-
 renderer = vtkRenderer()
 renderer.SetBackground(0.80, 0.84, 0.90)
-for actor in balls, rods, ground:
+for actor in balls, rods:
     renderer.AddActor(actor)
-light = vtksoftshadows.vtkAreaLight()
-light.SetPosition(-8, -10, 16)
-light.SetRadius(1.2)
-light.SetShadowAttenuation(0.85)
-renderer.AddLight(light)
-vtksoftshadows.enable(renderer, "map-pcss")
+vtksoftshadows.enable(renderer, lights="studio")
 
 camera = renderer.GetActiveCamera()
 camera.SetPosition(1.5, -17, 8)
 camera.SetFocalPoint(0.5, 0, -0.3)
 camera.SetViewUp(0, 0, 1)
-renderer.ResetCameraClippingRange()
+renderer.ResetCamera()
+camera.Zoom(1.2)
 window = vtkRenderWindow()
 window.SetOffScreenRendering(True)
-window.SetSize(600, 400)
+window.SetSize(1200, 800)  # halved below: a window's samples do not smooth imposters' edges
 window.AddRenderer(renderer)
 window.Render()
 
 picture = vtkWindowToImageFilter()
 picture.SetInput(window)
+half = vtkImageResize()
+half.SetInputConnection(picture.GetOutputPort())
+half.SetOutputDimensions(600, 400, 1)
+half.BorderOn()  # the mean of each four pixels
 writer = vtkPNGWriter()
-writer.SetInputConnection(picture.GetOutputPort())
+writer.SetInputConnection(half.GetOutputPort())
 writer.SetFileName(sys.argv[1])
 writer.Write()

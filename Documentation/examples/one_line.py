@@ -7,15 +7,15 @@ import sys
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkFiltersModeling import vtkLinearExtrusionFilter
-from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSuperquadricSource
+from vtkmodules.vtkFiltersSources import vtkSuperquadricSource
 from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, \
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, \
     vtkRenderWindow, vtkWindowToImageFilter
 from vtkmodules.vtkRenderingFreeType import vtkVectorText
 
 import vtksoftshadows
 
-# What is shown: letters that stand on a plane, a ring behind them.
+# What is shown: letters, and a ring behind them.
 text = vtkVectorText()
 text.SetText("VTK")
 letters = vtkLinearExtrusionFilter()
@@ -37,44 +37,31 @@ ring.SetThetaResolution(64)
 ring.SetScale(1.3, 1.3, 1.3)
 ring.SetCenter(2.1, 1.2, 0.75)
 
-plane = vtkPlaneSource()
-plane.SetOrigin(-8, -8, 0)
-plane.SetPoint1(8, -8, 0)
-plane.SetPoint2(-8, 8, 0)
-
 renderer = vtkRenderer()
 renderer.SetBackground(0.85, 0.87, 0.90)
-for source, color in ((standing, (0.20, 0.45, 0.80)), (ring, (0.90, 0.55, 0.20)),
-                      (plane, (0.95, 0.95, 0.92))):
+for source, color in ((standing, (0.20, 0.45, 0.80)), (ring, (0.90, 0.55, 0.20))):
     mapper = vtkPolyDataMapper()
     mapper.SetInputConnection(source.GetOutputPort())
     mapper.ScalarVisibilityOff()
     actor = vtkActor()
     actor.SetMapper(mapper)
     actor.GetProperty().SetColor(color)
-    actor.GetProperty().SetAmbient(0.25)
-    actor.GetProperty().SetDiffuse(0.75)
     renderer.AddActor(actor)
-
-lamp = vtkLight()
-lamp.PositionalOn()
-lamp.SetConeAngle(180)  # on all sides
-lamp.SetPosition(-4, -3, 5)
-renderer.AddLight(lamp)
 
 camera = renderer.GetActiveCamera()
 camera.SetPosition(0.5, -6.2, 3.2)
 camera.SetFocalPoint(0.5, 0.4, 0.45)
 camera.SetViewUp(0, 0, 1)
-renderer.ResetCameraClippingRange()
+renderer.ResetCamera()
+camera.Zoom(1.4)
 
 window = vtkRenderWindow()
 window.SetOffScreenRendering(True)
 window.SetSize(600, 400)
 window.AddRenderer(renderer)
 
-# The line. The radius is the lamp's: without, it is a point whose shadow is hard.
-vtksoftshadows.enable(renderer, radius=0.4)
+# The line: a large soft light, and a ground for the shadow. Without `lights`, those of the renderer cast.
+vtksoftshadows.enable(renderer, lights="studio")
 
 window.Render()
 picture = vtkWindowToImageFilter()

@@ -12,14 +12,14 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonComputationalGeometry import vtkParametricFigure8Klein
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersSources import vtkParametricFunctionSource, vtkPlaneSource
-from vtkmodules.vtkImagingCore import vtkImageBlend
+from vtkmodules.vtkImagingCore import vtkImageBlend, vtkImageResize
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, \
     vtkRenderWindow, vtkWindowToImageFilter
 
 import vtksoftshadows
 
-WIDTH, HEIGHT = 600, 400
+WIDTH, HEIGHT = 1200, 800  # halved at the end: peeling goes without a window's samples
 
 
 def make_background():
@@ -107,6 +107,10 @@ grab.ReadFrontBufferOff()
 blend = vtkImageBlend()
 blend.AddInputData(make_background())
 blend.AddInputConnection(grab.GetOutputPort())
-write(blend.GetOutputPort(), sys.argv[1])
+half = vtkImageResize()
+half.SetInputConnection(blend.GetOutputPort())
+half.SetOutputDimensions(WIDTH // 2, HEIGHT // 2, 1)
+half.BorderOn()  # the mean of each four pixels
+write(half.GetOutputPort(), sys.argv[1])
 if len(sys.argv) > 2:
     write(grab.GetOutputPort(), sys.argv[2])

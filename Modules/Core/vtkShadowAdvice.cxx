@@ -128,3 +128,25 @@ std::string vtkShadowAdvice::Find(
   }
   return "";
 }
+
+//------------------------------------------------------------------------------
+std::string vtkShadowAdvice::FindBroken(const vtkShadowFrame& frame)
+{
+  const auto counted = [&](const char* name)
+  {
+    const auto count = frame.Counts.find(name);
+    return count != frame.Counts.end() && count->second > 0.0;
+  };
+  if (counted("lightsTooLarge"))
+  {
+    return "a light is seen by what casts under more than 28 degrees, and a filter of one map "
+           "takes what hides it for one thing: \"map-soft\" is right there.";
+  }
+  if (counted("lightsWithLayers"))
+  {
+    return "many things that cast lie behind each other as a light sees them, and a filter of one "
+           "map knows the nearest alone: \"map-soft\" is right there, and \"map-trace\" nearer "
+           "where lights move.";
+  }
+  return "";
+}

@@ -306,14 +306,14 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
   {
     return false;
   }
-  const auto& counts = stages.GetFrame().Counts;
-  const auto large = counts.find("lightsTooLarge");
-  if (vtkShadowPass::GetAdvice() && !my.Advised && large != counts.end() && large->second > 0.0)
+  if (vtkShadowPass::GetAdvice() && !my.Advised)
   {
-    my.Advised = true;
-    my.Messages.Warn(
-      "a light is seen by what casts under more than 28 degrees, and a filter of one map "
-      "takes what hides it for one thing: \"map-soft\" is right there.");
+    const std::string advice = vtkShadowAdvice::FindBroken(stages.GetFrame());
+    my.Advised = !advice.empty();
+    if (my.Advised)
+    {
+      my.Messages.Warn(advice);
+    }
   }
   return stages.Guard(*my.Technique,
     [&]

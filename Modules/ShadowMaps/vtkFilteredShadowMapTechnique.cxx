@@ -5,6 +5,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkShadowCasters.h"
 #include "vtkShadowFrame.h"
+#include "vtkShadowLayers.h"
 #include "vtkShadowMapKernelFS.h"
 #include "vtkShadowMapPattern.h"
 #include "vtkShadowMaps.h"
@@ -22,6 +23,7 @@ vtkFilteredShadowMapTechnique::vtkFilteredShadowMapTechnique(const vtkShadowSett
   : vtkDepthMapTechnique(settings)
   , Search(new vtkShadowMapPattern)
   , Filter(new vtkShadowMapPattern)
+  , Layers(new vtkShadowLayers)
 {
 }
 
@@ -57,6 +59,10 @@ bool vtkFilteredShadowMapTechnique::UpdateLightData(vtkShadowFrame& frame)
       "one: penumbrae that reach further beyond the face of its cube are drawn in.");
   }
   frame.Counts["lightsTooLarge"] = this->CountLargeLights(frame);
+  if (!this->FollowsLayers())
+  {
+    frame.Counts["lightsWithLayers"] = this->Layers->Count(*frame.Casters, frame.Lights);
+  }
   return true;
 }
 

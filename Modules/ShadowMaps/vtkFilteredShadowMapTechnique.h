@@ -25,6 +25,7 @@
 
 #include "vtkDepthMapTechnique.h"
 
+class vtkShadowLayers;
 class vtkShadowMapPattern;
 
 class vtkFilteredShadowMapTechnique : public vtkDepthMapTechnique
@@ -53,6 +54,8 @@ protected:
   virtual std::string GetKernelDefinitions() { return ""; }
   /** Make the patterns anew: a parameter has changed, or they were released. */
   virtual void UpdatePatterns(vtkShadowFrame& frame) = 0;
+  /** Not one mean blocker for all that hides a light. */
+  virtual bool FollowsLayers() const { return false; }
   void SetMapSettings(vtkShadowMapSettings& settings) override;
 
   bool Hard = false;                           // no light of this frame has a size
@@ -62,6 +65,7 @@ protected:
 private:
   double CountLargeLights(const vtkShadowFrame& frame) const;
 
+  std::unique_ptr<vtkShadowLayers> Layers;
   vtkMTimeType PatternTime = 0; // of the parameters that the patterns were made from
 };
 

@@ -18,6 +18,7 @@ public:
   void UpdatePatterns(vtkShadowFrame& frame) override;
   std::string GetKernelDefinitions() override;
   std::string GetFilterGLSL() override;
+  bool FollowsLayers() const override { return true; }
   bool CanEvaluateForward() override;
   bool PrefersForward(const vtkShadowFrame&) override { return this->Hard; }
   double GetMaximumCost() override;

@@ -5,6 +5,7 @@ What the pages speak of is there: a renderer with a scene, its window, a ground,
 C++ and CMake of the README: Testing/Installed.
 """
 
+import json
 import pathlib
 import re
 import subprocess
@@ -18,6 +19,11 @@ from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 ROOT = pathlib.Path(__file__).parents[2]
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.M | re.S)
 KNOWN = {"python", "cpp", "cmake", ""}  # "": diagrams
+
+# Put into lines of the command that do not say it themselves, since these take minutes as they stand: small
+# pictures, few rays, few frames. A budget that they say is replaced.
+SHORT = {"compare": {"--size": "60x60", "--reference-samples": "16", "--frames": "1"},
+         "bench": {"--size": "40x40", "--reference-samples": "16", "--frames": "1", "--budget": "3"}}
 
 
 def pages():
@@ -46,25 +52,71 @@ class Blocks(shadow_testing.TestCase):
                 self.assertLess(alpha, 255)
         self.assertGreater(count, 5)
 
-    def test_commands(self):
-        # Those of the README that draw, as they stand, in a folder of their own.
-        text = (ROOT / "README.md").read_text().replace("\\\n", " ")
-        lines = re.findall(r"^    build/bin/softshadows ((?:render|list).*)$", text, re.M)
-        self.assertGreater(len(lines), 2)
+    def run_lines(self, pattern, least):
+        """Lines of the command as they stand, but for SHORT, in a folder of their own."""
         build = pathlib.Path(shadow_testing.vss.__file__).parents[3]
         command = build / "bin" / "softshadows"
         if not command.exists():
             self.skipTest("the command is not built")
-        with tempfile.TemporaryDirectory() as folder:
-            for line in lines:
-                words = line.split("#")[0].replace("build/", f"{build}/").split()
-                model = next((word for word in words if word.endswith(".ply")), None)
-                if model and not pathlib.Path(model).exists():
-                    continue  # not fetched
+        lines = {line for page in pages() for line in re.findall(
+            rf"^    build/bin/softshadows ((?:{pattern})\b.*)$",
+            page.read_text().replace("\\\n", " "), re.M)}
+        self.assertGreaterEqual(len(lines), least)
+        for line in sorted(lines):
+            words = line.split("#")[0].replace("build/", f"{build}/").split()
+            model = next((word for word in words if word.endswith(".ply")), None)
+            if model and not pathlib.Path(model).exists():
+                continue  # not fetched
+            if "--suite" in words:
+                # Three quarters of an hour, with pictures whose size is the suite's: are they there?
+                tell = subprocess.run([command, "bench", "--help"], capture_output=True, text=True,
+                                      check=True).stdout
+                for suite in words[words.index("--suite") + 1].split(","):
+                    self.assertRegex(tell, rf"--suite A,B,.*\b{suite}\b")
+                continue
+            words += [word for option, value in SHORT.get(words[0], {}).items()
+                      if option not in words for word in (option, value)]
+            if words[0] == "bench":
+                words[words.index("--budget") + 1] = SHORT["bench"]["--budget"]
+            with tempfile.TemporaryDirectory() as folder, self.subTest(line):
                 run = subprocess.run([command, *words], cwd=folder, capture_output=True, text=True,
                                      check=False)
-                with self.subTest(line):
-                    self.assertEqual((run.returncode, run.stderr), (0, ""))
+                notes = [note for note in run.stderr.splitlines() if "note: --budget" not in note]
+                self.assertEqual((run.returncode, notes), (0, []))
+                if "-o" in words:
+                    self.assertTrue((pathlib.Path(folder) / words[words.index("-o") + 1]).exists())
+
+    def test_render(self):
+        self.run_lines("render|list", 3)
+
+    def test_compare(self):
+        self.run_lines("compare", 1)
+
+    def test_bench(self):
+        self.run_lines("bench", 5)
+
+    def test_bootstrap(self):
+        # It installs, builds and runs this test; so here is only looked whether it knows what pages say.
+        cases = re.findall(r"^  (\w+)\)", (ROOT / "bootstrap").read_text(), re.M)
+        said = {word for page in pages()
+                for word in re.findall(r"^    \./bootstrap (\w+)", page.read_text(), re.M)}
+        self.assertGreater(len(said), 3)
+        self.assertLessEqual(said, set(cases))
+
+    def test_programs(self):
+        # Lines that call programs name those that are there; Example.* and test_gallery run them.
+        count = 0
+        for page in pages():
+            for program in re.findall(r"/usr/bin/python3 ([\w/.]+)", page.read_text()):
+                self.assertTrue((ROOT / program).exists(), program)
+                count += 1
+        self.assertGreater(count, 2)
+
+    def test_json(self):
+        # The entry that benchmark.md adds to a suite.
+        text = (ROOT / "Documentation" / "benchmark.md").read_text()
+        (entry,) = re.findall(r'^    ({ "technique".*})$', text, re.M)
+        self.assertIn("sweep", json.loads(entry))
 
     def test_links(self):
         # Pictures and pages that are named are there.

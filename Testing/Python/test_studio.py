@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The studio: light that is good to look at by one line, and that leaves nothing behind."""
 
+import itertools
 import math
 import os
 import subprocess
@@ -267,6 +268,32 @@ class Sizes(TestCase):
             light.SetRadius(2.5)  # from six away, of a scene of eight
         self.assertIn('"map-soft" is right there', self.say(change))
         self.assertEqual(self.say(change, "map-soft"), "")
+
+    def say_of_balls(self, heights, technique="map-pcss"):
+        """Four times four balls at each height, under a light of ten degrees."""
+        stage = Stage()
+        stage.add_floor()
+        for place in itertools.product((-1.5, -0.5, 0.5, 1.5), (-1.5, -0.5, 0.5, 1.5), heights):
+            stage.add_sphere(place, 0.3)
+        light = vss.vtkAreaLight()
+        light.PositionalOff()
+        light.SetPosition(0, 0, 9)
+        light.SetAngularDiameter(10)
+        stage.renderer.AddLight(light)
+        shadows = vss.enable(stage.renderer, technique)
+        stage.window.Render()
+        stage.window.Render()
+        return self.errors(), statistics(shadows)["counts"].get("lightsWithLayers")
+
+    def test_layers_that_a_filter_does_not_know(self):
+        for technique in ("map-pcss", "map-pcf", "map-combined", "map-jitter", "map-blur"):
+            with self.subTest(technique):
+                said, count = self.say_of_balls((0.5, 2), technique)
+                self.assertEqual(said.count("lie behind each other"), 1)
+                self.assertEqual(count, 1)
+                self.assertEqual(self.say_of_balls((0.5,), technique), ("", 0))
+        for technique in ("map-soft", "map-trace"):
+            self.assertEqual(self.say_of_balls((0.5, 2), technique), ("", None))
 
     def test_headlights(self):
         stage = Stage()
