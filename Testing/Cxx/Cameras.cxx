@@ -239,7 +239,9 @@ SHADOW_TEST(Cameras, LargerPictures, Each)
     {
       Split(stage, GetModels()[0].Matrix); // a blur enlarges the view's angle
     }
-    stage.SetPass(technique, { { "evaluation", "screen" } });
+    // Slices are united, so that umbrae are quite dark.
+    stage.SetPass(technique,
+      { { "evaluation", "screen" }, { "combine", "bits" }, { "double-projection", "on" } });
     stage.Render();
     const auto regions = GetRegions(stage.GetVisibility(), 3);
 
