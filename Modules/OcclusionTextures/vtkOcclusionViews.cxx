@@ -132,6 +132,32 @@ void SetLight(vtkOcclusionView& view, const vtkShadowLight& light)
   view.Light = { along(view.X), along(view.Y) };
 }
 
+/** The greatest depth at which something can hide something: a lone flat caster nothing beyond the rest. */
+double FindDeepest(
+  const vtkOcclusionView& view, const vtkLightRegions& regions, const vtkShadowCasters& casters)
+{
+  const auto& whole = regions.GetWhole();
+  const bool lone = regions.GetCasters().size() == whole.size() + 1;
+  double deepest = std::numeric_limits<double>::lowest();
+  const auto add = [&](const Box& box)
+  {
+    for (const auto& corner : box)
+    {
+      deepest = std::max(deepest, view.ToView(corner).z);
+    }
+  };
+  for (int i = 0; i < static_cast<int>(casters.Get().size()); ++i)
+  {
+    if (!lone || std::binary_search(whole.begin(), whole.end(), i) ||
+        !std::binary_search(regions.GetCasters().begin(), regions.GetCasters().end(), i))
+    {
+      add(casters.Get()[i].Corners);
+    }
+  }
+  std::for_each(casters.GetReceivers().begin(), casters.GetReceivers().end(), add);
+  return deepest;
+}
+
 /** Fill in what depends on the casters. False where none is in view. */
 bool Hug(vtkOcclusionView& view, const vtkLightRegions& regions, const vtkShadowCasters& casters)
 {
@@ -231,7 +257,7 @@ bool Hug(vtkOcclusionView& view, const vtkLightRegions& regions, const vtkShadow
              glm::length(view.High) * view.GetW(group.Whole.High.z) });
   view.Nearest = view.Directional ? group.Whole.Low.z - rounding
                                   : std::max(nearest, group.Whole.Low.z - rounding);
-  view.Farthest = group.Whole.High.z + rounding;
+  view.Farthest = std::min(group.Whole.High.z, FindDeepest(view, regions, casters)) + rounding;
   view.Receivers = std::max(view.Receivers, view.Farthest);
   view.Casters = group.Casters;
   return true;
