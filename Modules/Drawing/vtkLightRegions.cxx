@@ -407,7 +407,16 @@ vtkLightRegions::vtkLightRegions(const vtkShadowLightPart& part, const vtkShadow
       this->Casters.push_back(region.Caster);
     }
   }
+  for (const auto& region : this->Regions)
+  {
+    if (!region.Plane)
+    {
+      this->Whole.push_back(region.Caster);
+    }
+  }
   std::sort(this->Casters.begin(), this->Casters.end());
+  std::sort(this->Whole.begin(), this->Whole.end());
+  this->Whole = this->Whole.empty() ? this->Casters : this->Whole;
 }
 
 //------------------------------------------------------------------------------

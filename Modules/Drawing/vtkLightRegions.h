@@ -60,6 +60,8 @@ public:
 
   /** Indices of the casters that can shadow something. */
   const std::vector<int>& GetCasters() const { return this->Casters; }
+  /** Those that count whole, not only where something lies behind them; all where there is none. */
+  const std::vector<int>& GetWhole() const { return this->Whole; }
   /** The largest of those that count whole, or of all: by its radius, which moving does not change. */
   int GetLargest() const;
   /** The box of a caster, by its index. */
@@ -97,6 +99,7 @@ private:
   std::vector<Box> Boxes;      // the casters', then those of what only receives
   std::vector<Region> Regions; // the largest first
   std::vector<int> Casters;    // ascending
+  std::vector<int> Whole;      // ascending
 };
 
 #endif

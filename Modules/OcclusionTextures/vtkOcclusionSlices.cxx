@@ -4,7 +4,9 @@
 #include "vtkOcclusionViews.h"
 #include "vtkShadowCasters.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <array>
@@ -62,12 +64,19 @@ public:
     bool cut = false;
     for (const auto& p : points)
     {
-      all.Top = std::min(all.Top, p.z);
-      all.Bottom = std::max(all.Bottom, p.z);
       cut = cut || p.z < this->View.Nearest;
-      const glm::dvec2 place = glm::dvec2(p) / this->View.GetW(p.z);
-      all.Low = glm::min(all.Low, place);
-      all.High = glm::max(all.High, place);
+      this->Include(all, p);
+    }
+    if (N == 3 && (cut || glm::any(glm::lessThan(all.Low, this->View.Low)) ||
+                    glm::any(glm::greaterThan(all.High, this->View.High))))
+    {
+      // Of a floor, whose most lies outside, the depths within count.
+      all = Bin();
+      for (const auto& p : this->Clip({ points.begin(), points.end() }))
+      {
+        this->Include(all, p);
+      }
+      cut = false;
     }
     all.Low = cut ? this->View.Low : glm::max(all.Low, this->View.Low);
     all.High = cut ? this->View.High : glm::min(all.High, this->View.High);
@@ -94,6 +103,48 @@ public:
   const std::array<Bin, Bins>& Get() const { return this->Values; }
 
 private:
+  void Include(Bin& bin, const glm::dvec3& p) const
+  {
+    bin.Top = std::min(bin.Top, p.z);
+    bin.Bottom = std::max(bin.Bottom, p.z);
+    const glm::dvec2 place = glm::dvec2(p) / this->View.GetW(p.z);
+    bin.Low = glm::min(bin.Low, place);
+    bin.High = glm::max(bin.High, place);
+  }
+
+  /** What of a polygon lies within the view. */
+  std::vector<glm::dvec3> Clip(std::vector<glm::dvec3> polygon) const
+  {
+    for (int side = 0; side < 5; ++side)
+    {
+      const auto within = [&](const glm::dvec3& p)
+      {
+        const double w = this->View.GetW(p.z);
+        return side == 0  ? p.z - this->View.Nearest
+               : side < 3 ? p[side - 1] - this->View.Low[side - 1] * w
+                          : this->View.High[side - 3] * w - p[side - 3];
+      };
+      std::vector<glm::dvec3> left;
+      for (std::size_t i = 0; i < polygon.size(); ++i)
+      {
+        const glm::dvec3& a = polygon[i];
+        const glm::dvec3& b = polygon[(i + 1) % polygon.size()];
+        const double da = within(a);
+        const double db = within(b);
+        if (da >= 0.0)
+        {
+          left.push_back(a);
+        }
+        if ((da >= 0.0) != (db >= 0.0))
+        {
+          left.push_back(a + da / (da - db) * (b - a));
+        }
+      }
+      polygon = std::move(left);
+    }
+    return polygon;
+  }
+
   int Find(double depth) const
   {
     return this->Size > 0.0

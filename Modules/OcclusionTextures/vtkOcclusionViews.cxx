@@ -6,6 +6,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -53,10 +54,13 @@ void SetAxes(vtkOcclusionView& view, const glm::dvec3& axis, const glm::dvec3& a
   view.Y = glm::cross(view.Z, view.X);
 }
 
-/** All corners lie before the light's plane, and within the widest view. */
+/**
+ * All corners lie before the light's plane, and within the widest view; of flat casters, what has
+ * something behind it does if that does.
+ */
 bool Fits(const vtkOcclusionView& view, const vtkLightRegions& regions)
 {
-  return std::all_of(regions.GetCasters().begin(), regions.GetCasters().end(),
+  return std::all_of(regions.GetWhole().begin(), regions.GetWhole().end(),
     [&](int caster)
     {
       const Box& box = regions.GetBox(caster);
@@ -96,7 +100,7 @@ double FindBehind(
 {
   double behind = std::numeric_limits<double>::max();
   double farthest = 0.0;
-  for (const int caster : regions.GetCasters())
+  for (const int caster : regions.GetWhole())
   {
     for (const auto& corner : regions.GetBox(caster))
     {
@@ -128,6 +132,32 @@ void SetLight(vtkOcclusionView& view, const vtkShadowLight& light)
   view.Light = { along(view.X), along(view.Y) };
 }
 
+/** The greatest depth at which something can hide something: a lone flat caster nothing beyond the rest. */
+double FindDeepest(
+  const vtkOcclusionView& view, const vtkLightRegions& regions, const vtkShadowCasters& casters)
+{
+  const auto& whole = regions.GetWhole();
+  const bool lone = regions.GetCasters().size() == whole.size() + 1;
+  double deepest = std::numeric_limits<double>::lowest();
+  const auto add = [&](const Box& box)
+  {
+    for (const auto& corner : box)
+    {
+      deepest = std::max(deepest, view.ToView(corner).z);
+    }
+  };
+  for (int i = 0; i < static_cast<int>(casters.Get().size()); ++i)
+  {
+    if (!lone || std::binary_search(whole.begin(), whole.end(), i) ||
+        !std::binary_search(regions.GetCasters().begin(), regions.GetCasters().end(), i))
+    {
+      add(casters.Get()[i].Corners);
+    }
+  }
+  std::for_each(casters.GetReceivers().begin(), casters.GetReceivers().end(), add);
+  return deepest;
+}
+
 /** Fill in what depends on the casters. False where none is in view. */
 bool Hug(vtkOcclusionView& view, const vtkLightRegions& regions, const vtkShadowCasters& casters)
 {
@@ -155,7 +185,7 @@ bool Hug(vtkOcclusionView& view, const vtkLightRegions& regions, const vtkShadow
       view.Receivers = std::max(view.Receivers, view.ToView(corner).z);
     }
   }
-  for (const int caster : regions.GetCasters())
+  for (const int caster : regions.GetWhole())
   {
     reach(regions.GetBox(caster));
     for (const auto& corner : regions.GetBox(caster))
@@ -227,7 +257,7 @@ bool Hug(vtkOcclusionView& view, const vtkLightRegions& regions, const vtkShadow
              glm::length(view.High) * view.GetW(group.Whole.High.z) });
   view.Nearest = view.Directional ? group.Whole.Low.z - rounding
                                   : std::max(nearest, group.Whole.Low.z - rounding);
-  view.Farthest = group.Whole.High.z + rounding;
+  view.Farthest = std::min(group.Whole.High.z, FindDeepest(view, regions, casters)) + rounding;
   view.Receivers = std::max(view.Receivers, view.Farthest);
   view.Casters = group.Casters;
   return true;
@@ -324,7 +354,7 @@ std::vector<vtkOcclusionView> vtkOcclusionView::Find(
   // plane light of no size, and of so little that it is within a texel, or the limit would have other
   // texels. Else parallel to it, where that sees all.
   view.Place = light.Position - casters.GetOrigin();
-  for (const auto& some : { std::vector<int>{ regions.GetLargest() }, regions.GetCasters() })
+  for (const auto& some : { std::vector<int>{ regions.GetLargest() }, regions.GetWhole() })
   {
     const glm::dvec3 axis = FindAxis(view.Place, regions, some);
     if (axis != glm::dvec3(0.0) && (view.Z == glm::dvec3(0.0) || !Fits(view, regions)))
@@ -340,7 +370,16 @@ std::vector<vtkOcclusionView> vtkOcclusionView::Find(
     }
     one.Behind = FindBehind(one, GetExtent(light, one), regions);
     add(one);
-    return true;
+    // Flat casters may be needed farther out than one view sees.
+    const bool wide =
+      !views.empty() && glm::any(glm::greaterThanEqual(
+                          glm::max(glm::abs(views.back().Low), glm::abs(views.back().High)),
+                          glm::dvec2(WidestTangent)));
+    if (wide)
+    {
+      views.clear();
+    }
+    return !wide;
   };
   const bool plane = light.Kind == Shape::Rectangle || light.Kind == Shape::Disk;
   if (plane && !light.IsPoint())

@@ -240,6 +240,7 @@ SHADOW_TEST(Cameras, LargerPictures, Each)
     {
       Split(stage, GetModels()[0].Matrix); // a blur enlarges the view's angle
     }
+    // Slices are united, so that umbrae are quite dark.
     stage.SetPass(technique,
       { { "evaluation", "screen" }, { "combine", "bits" }, { "double-projection", "on" } });
     stage.Render();
