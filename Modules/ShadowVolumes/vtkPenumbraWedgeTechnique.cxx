@@ -419,7 +419,8 @@ void vtkPenumbraWedgeTechnique::AddQuantity(
   const bool counts = this->CountsSamples(part);
   this->AddWedges(frame, buffer, { &buffer.GetTarget() }, part, part, wedges,
     counts ? vtkPenumbraCountFS : vtkPenumbraSumFS,
-    counts ? this->Parts[part].Samples.GetDefinitions(0) + "#define SHADOW_QUANTITY\n" : shown,
+    counts ? this->Parts[part].Samples.GetDefinitions(0) + "#define SHADOW_QUANTITY\n"
+           : "#define SHADOW_WEDGE_VIEW\n" + shown,
     nullptr);
 }
 

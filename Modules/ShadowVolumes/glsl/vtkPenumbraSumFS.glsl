@@ -20,7 +20,12 @@ void main()
   vec4 receiverVC = texelFetch(shadowReceivers, ivec3(gl_FragCoord.xy, 0), 0);
   shadowSelf = receiverVC.w > 0.0;
   vec3 normalVC = shadowUnpackReceiver(receiverVC.w).normalVC;
-  if (!shadowIsReceiver(receiverVC) || shadowFacesAway(shadowLight, receiverVC.xyz, normalVC))
+  bool receives = shadowIsReceiver(receiverVC);
+#ifdef SHADOW_WEDGE_VIEW
+  // Without views whatever adds up there: it is dark in the end, and to ask costs more.
+  receives = receives && !shadowFacesAway(shadowLight, receiverVC.xyz, normalVC);
+#endif
+  if (!receives)
   {
     discard;
   }
