@@ -281,7 +281,7 @@ std::vector<vtkLightSample> vtkShadowCasters::GetMiddles(
   std::vector<vtkLightSample> samples;
   for (int i = 0; i < side * side; ++i)
   {
-    const glm::dvec2 unit((i % side + 0.5) / side, (i / side + 0.5) / side);
+    const glm::dvec2 unit = (glm::dvec2(i % side, i / side) + 0.5) / static_cast<double>(side);
     samples.push_back({ light.Map(unit, receiver), glm::dvec3(1.0 / (side * side)) });
   }
   if (light.Kind != vtkShadowLight::Shape::Rectangle)

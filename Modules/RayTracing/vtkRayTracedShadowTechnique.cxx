@@ -74,7 +74,7 @@ void vtkRayTracedShadowTechnique::FindPositions(
     [&](int pixel)
     {
       // Through the pixel's centre, from the near plane to the far one.
-      const glm::dvec2 centre(pixel % width + 0.5, pixel / width + 0.5);
+      const glm::dvec2 centre = glm::dvec2(pixel % width, pixel / width) + 0.5;
       const glm::dvec2 place = 2.0 * centre / glm::dvec2(width, height) - 1.0;
       const glm::dvec4 from = clipToSWC * glm::dvec4(place, -1.0, 1.0);
       const glm::dvec4 to = clipToSWC * glm::dvec4(place, 1.0, 1.0);
