@@ -2,13 +2,13 @@
 #include "vtkShadowDepthBounds.h"
 
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkShadowCasterDrawing.h"
 #include "vtkShadowCasters.h"
 #include "vtkShadowDepthBoundsFS.h"
 #include "vtkShadowDepthBoundsGS.h"
 #include "vtkShadowDepthBoundsVS.h"
+#include "vtkShadowDepthState.h"
 #include "vtkShadowFrame.h"
 #include "vtkShadowOpenGL.h"
 #include "vtkShadowSeesAllFS.h"
@@ -132,15 +132,7 @@ void vtkShadowDepthBounds::Draw(vtkShadowFrame& frame, const Part& part)
   const int count = static_cast<int>(part.Views.size());
   {
     vtkShadowTimers::Scope timer(*frame.Timers, "maps");
-    vtkOpenGLState* state = frame.Window->GetState();
-    vtkOpenGLState::ScopedglDepthMask depthMask(state);
-    vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
-    vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
-    vtkOpenGLState::ScopedglEnableDisable cullFace(state, GL_CULL_FACE);
-    state->vtkglDepthMask(GL_TRUE);
-    state->vtkglDepthFunc(GL_LESS);
-    state->vtkglEnable(GL_DEPTH_TEST);
-    state->vtkglDisable(GL_CULL_FACE);
+    vtkShadowDepthState depthState(frame.Window->GetState());
     vtkShadowCasterDraw how;
     how.VertexShader = vtkShadowDepthBoundsVS;
     how.GeometryShader = vtkShadowDepthBoundsGS;

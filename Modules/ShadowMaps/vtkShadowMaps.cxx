@@ -6,6 +6,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkShadowCasterDrawing.h"
 #include "vtkShadowCasters.h"
+#include "vtkShadowDepthState.h"
 #include "vtkShadowFrame.h"
 #include "vtkShadowMapMidpointFS.h"
 #include "vtkShadowMapPeelFS.h"
@@ -224,14 +225,7 @@ void vtkShadowMaps::Draw(vtkShadowFrame& frame, int first, int count)
   }
   vtkShadowTimers::Scope timer(*frame.Timers, "maps");
   vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglDepthMask depthMask(state);
-  vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
-  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
-  vtkOpenGLState::ScopedglEnableDisable cullFace(state, GL_CULL_FACE);
-  state->vtkglDepthMask(GL_TRUE);
-  state->vtkglDepthFunc(GL_LESS);
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDisable(GL_CULL_FACE);
+  vtkShadowDepthState depthState(state);
   frame.Counts["mapsDrawn"] += count;
   if (this->Current.Slabs)
   {

@@ -3,8 +3,8 @@
 
 #include "vtkLightFrusta.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
 #include "vtkShadowCasterDrawing.h"
+#include "vtkShadowDepthState.h"
 #include "vtkShadowFrame.h"
 #include "vtkShadowOpenGL.h"
 
@@ -317,15 +317,7 @@ void vtkVirtualShadowPages::Draw(vtkShadowFrame& frame, const std::vector<vtkLig
   const std::vector<vtkVirtualShadowTile>& tiles, int batch)
 {
   vtkShadowTimers::Scope timer(*frame.Timers, "tiles");
-  vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglDepthMask depthMask(state);
-  vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
-  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
-  vtkOpenGLState::ScopedglEnableDisable cullFace(state, GL_CULL_FACE);
-  state->vtkglDepthMask(GL_TRUE);
-  state->vtkglDepthFunc(GL_LESS);
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDisable(GL_CULL_FACE);
+  vtkShadowDepthState depthState(frame.Window->GetState());
   vtkShadowFramebuffer::Scope target(frame.Window, this->Framebuffer, nullptr, &this->Tiles, 0);
   const std::size_t before = frame.Drawing->GetDrawnTriangles();
   for (const auto& tile : tiles)
