@@ -38,6 +38,11 @@ vtkShadowDeclaration Wedges()
       "silhouettes of "
       "its own; parts of disks and spheres are smaller ones of the same area together")
       .At({ 1, 1, 1, 3 }),
+    vtkShadowParameter::Real("merge", 0.25, 0.0, 4.0,
+      "With overlap=sum and loops: silhouettes' runs of short edges that are straight to within so "
+      "much "
+      "of what the picture shows are one edge; 0: every edge has a wedge")
+      .In("pixels"),
     vtkShadowParameter::Choice("bounds", "tight", { "tight", "sphere" },
       "What bounds a wedge: the hull of the light's own corners, or four planes around a sphere "
       "that holds the light; the picture is the same")

@@ -9,11 +9,12 @@
  *
  * Stages:
  *   1. Silhouettes from the light's centre, where light or casters changed (vtkShadowSilhouetteCache).
- *   2. The bound of the space in which each edge hides a part of the light, within the box of what
+ *   2. Runs of short edges that are one edge (vtkPenumbraLines), where the picture's pixels are too coarse
+ *      to tell.
+ *   3. The bound of the space in which each edge hides a part of the light, within the box of what
  *      receives (vtkShadowWedge): of these edges, or of all at which casters may end.
- *   3. Receivers.
- *   4. How many volumes hold a receiver, as its sight of the light's centre: z-pass, or z-fail, by which
- *      side of each volume's sides it is on.
+ *   4. Receivers, and how many volumes hold each, as its sight of the light's centre: z-pass, or z-fail, by
+ *      which side of each volume's sides it is on.
  *   5. Over each wedge, what its edge lets through of the light where the centre is hidden, and hides
  *      where it is not; or how it changes the counts of samples.
  *   6. One step over the picture, that takes the sum, or the samples that are hidden, from full light.
@@ -23,6 +24,8 @@
  *                    the paper's section 5.1, or a count for each sample of the light
  *   samples  64      1 to 256: of overlap=count
  *   split    1       1 to 4: the light is split x split lights, of overlap=sum and loops
+ *   merge    0.25    0 to 4 pixels: runs of edges that are straight to within this are one, of overlap=sum
+ *                    and loops; 0: none
  *   bounds   tight   tight or sphere: what bounds a wedge; the picture is the same
  *
  * Debug views: "centre", how often the light's centre is hidden; "inner" and "outer", what the halves of
@@ -32,7 +35,8 @@
  *
  * Textures and buffers, beside those of vtkShadowSilhouetteCache and vtkShadowVolumes:
  *   wedges   vertex buffer     60 bytes a corner (92 with overlap=count), about 50 corners a wedge
- *   planes   RGBA32F buffer    a texel a line of the silhouettes
+ *   lines    index buffer      8 bytes a line of the silhouettes, some of which are runs
+ *   planes   RGBA32F           1024 wide: a texel a line
  *   sums     RG32F, RGBA32F with a textured light
  *                              viewport size: how often the centre is hidden, what edges let through
  *   loops    2 x RG32F         viewport size: what loops hide, what holes let through; of overlap=loops, a

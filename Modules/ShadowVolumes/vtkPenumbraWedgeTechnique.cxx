@@ -76,7 +76,7 @@ bool vtkPenumbraWedgeTechnique::UpdateLightData(vtkShadowFrame& frame)
   settings.Silhouettes.Loops = overlap == "loops";
   settings.Silhouettes.EnoughNested = vtkPenumbraSamples::LeastMost;
   this->Volumes.Update(frame, settings);
-  for (const char* name : { "wedges", "wedgesDrawn", "wedgesCulled", "loops" })
+  for (const char* name : { "wedges", "wedgesDrawn", "wedgesCulled", "linesMerged", "loops" })
   {
     frame.Counts[name] = 0;
   }
@@ -110,14 +110,27 @@ void vtkPenumbraWedgeTechnique::UpdatePart(vtkShadowFrame& frame, int part)
   PartState& state = this->Parts[part];
   const vtkShadowLight& light = frame.Parts[part].Light;
   const vtkShadowSilhouetteCache& silhouettes = this->Volumes.GetSilhouettes();
+  const std::size_t areas = light.IsPoint() ? 0 : silhouettes.GetSamples(part).size();
+  const int side = static_cast<int>(std::lround(std::sqrt(areas)));
+  const auto getArea = [&](std::size_t k)
+  { return MakeArea(light, silhouettes.GetPlace(part, static_cast<int>(k)), side); };
+  std::vector<std::vector<double>> moves;
+  const double pixels = this->Settings.GetReal("merge");
+  if (pixels > 0.0 && this->Overlap != "count")
+  {
+    for (std::size_t k = 0; k < areas; ++k)
+    {
+      moves.push_back(vtkPenumbraLines::FindMoves(
+        frame, this->Volumes, silhouettes.GetCasters(part), getArea(k), pixels));
+    }
+  }
   // Wedges end at the box around what receives.
   const auto version =
     std::make_pair(silhouettes.GetVersion(part), frame.Casters->GetReceiverVersion());
-  if (version != state.Version)
+  if (version != state.Version || moves != state.Moves)
   {
     state.Version = version;
-    const std::size_t areas = light.IsPoint() ? 0 : silhouettes.GetSamples(part).size();
-    const int side = static_cast<int>(std::lround(std::sqrt(areas)));
+    state.Moves = moves;
     while (state.Areas.size() > areas)
     {
       state.Areas.back()->Release(frame.Window);
@@ -137,9 +150,10 @@ void vtkPenumbraWedgeTechnique::UpdatePart(vtkShadowFrame& frame, int part)
       }
       vtkPenumbraWedges& wedges = *state.Areas[k];
       const vtkShadowSilhouetteCache::Batch& batch = this->Volumes.GetBatch(frame, part, place);
-      wedges.SetLight(MakeArea(light, silhouettes.GetPlace(part, place), side));
+      wedges.SetLight(getArea(k));
       wedges.SetEmission(this->IsColor(part) ? state.Emissions[k].get() : nullptr);
-      wedges.MakePlanes(frame, batch, place);
+      wedges.GetLines().Make(
+        frame, batch, place, wedges.GetLight(), moves.empty() ? std::vector<double>() : moves[k]);
       if (counts)
       {
         state.Samples.Set(light, this->Samples, vtkShadowSilhouetteCache::Get(batch, 0).MostNested);
@@ -148,13 +162,14 @@ void vtkPenumbraWedgeTechnique::UpdatePart(vtkShadowFrame& frame, int part)
       }
       else
       {
-        wedges.MakeOfSilhouette(frame, batch, place, bounds);
+        wedges.MakeOfSilhouette(frame, bounds);
       }
     }
   }
   for (const auto& area : state.Areas)
   {
     frame.Counts["wedges"] += static_cast<double>(area->GetNumberOfWedges());
+    frame.Counts["linesMerged"] += static_cast<double>(area->GetLines().GetMerged());
   }
 }
 
@@ -291,7 +306,7 @@ void vtkPenumbraWedgeTechnique::CountCentre(vtkShadowFrame& frame, vtkVisibility
     glClearBufferfv(GL_COLOR, 0, none);
   }
   this->Volumes.AddCounts(
-    frame, buffer, this->Sums, 0, part, area, this->Parts[part].Areas[area]->GetPlanes(), some);
+    frame, buffer, this->Sums, 0, part, area, this->Parts[part].Areas[area]->GetLines(), some);
 }
 
 //------------------------------------------------------------------------------
@@ -408,8 +423,7 @@ void vtkPenumbraWedgeTechnique::AddQuantity(
   vtkPenumbraWedges& wedges = *this->Parts[part].Areas[area];
   if (quantity == "centre")
   {
-    this->Volumes.AddCounts(
-      frame, buffer, buffer.GetTarget(), part, part, area, wedges.GetPlanes());
+    this->Volumes.AddCounts(frame, buffer, buffer.GetTarget(), part, part, area, wedges.GetLines());
     return;
   }
   const std::string shown = quantity == "inner"   ? "#define SHADOW_WEDGE_HALF 1\n"

@@ -41,6 +41,7 @@ private:
 
     std::vector<std::unique_ptr<vtkPenumbraWedges>> Areas;
     std::pair<unsigned long, unsigned long> Version; // of silhouettes and receivers, then
+    std::vector<std::vector<double>> Moves;          // see vtkPenumbraLines, of each area
 
     std::vector<std::unique_ptr<vtkPenumbraEmission>> Emissions; // of the areas of a textured light
     vtkSmartPointer<vtkImageData> Image;                         // they are made of

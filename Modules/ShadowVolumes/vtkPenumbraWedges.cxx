@@ -26,12 +26,6 @@ using Shape = vtkShadowLight::Shape;
 /** What the box around receivers is larger by: a share of its own size. */
 constexpr double Slack = 1e-5;
 
-glm::dvec3 GetVertex(const vtkShadowCaster& caster, std::uint32_t vertex)
-{
-  const float* p = &caster.Mesh->Positions[3 * static_cast<std::size_t>(vertex)];
-  return glm::dvec3(caster.MeshToSWC * glm::dvec4(p[0], p[1], p[2], 1.0));
-}
-
 template <typename Vector>
 void Append(std::vector<float>& values, const Vector& vector)
 {
@@ -160,23 +154,21 @@ void vtkPenumbraWedges::Upload()
 }
 
 //------------------------------------------------------------------------------
-void vtkPenumbraWedges::MakeOfSilhouette(vtkShadowFrame& frame,
-  const vtkShadowSilhouetteCache::Batch& batch, int place, vtkShadowWedge::Bounds bounds)
+void vtkPenumbraWedges::MakeOfSilhouette(vtkShadowFrame& frame, vtkShadowWedge::Bounds bounds)
 {
   this->Start(frame, false);
-  const auto& lines = batch.Silhouettes.GetLines();
-  for (const auto& part : vtkShadowSilhouetteCache::Get(batch, place).Parts)
+  const auto& lines = this->Lines.Get();
+  for (const auto& part : this->Lines.GetParts())
   {
     const vtkShadowCaster& caster = frame.Casters->Get()[part.Caster];
     this->StartPart(part.Caster);
     for (std::size_t i = part.First; i < part.First + part.Count;)
     {
       vtkShadowWedgeEdge edge;
-      edge.Ends[0] = GetVertex(caster, lines[i]);
-      edge.Ends[1] = GetVertex(caster, lines[i + 1]);
+      edge.Ends[0] = vtkPenumbraLines::GetVertex(caster, lines[i]);
+      edge.Ends[1] = vtkPenumbraLines::GetVertex(caster, lines[i + 1]);
       edge.SetPlane(this->Light.Place);
       edge.Times = 0;
-      // Edges that count several times stand one after another.
       for (const std::size_t same = i; i < part.First + part.Count && lines[i] == lines[same] &&
                                        lines[i + 1] == lines[same + 1];
            i += 2)
@@ -190,27 +182,6 @@ void vtkPenumbraWedges::MakeOfSilhouette(vtkShadowFrame& frame,
     }
   }
   this->Upload();
-}
-
-//------------------------------------------------------------------------------
-void vtkPenumbraWedges::MakePlanes(
-  vtkShadowFrame& frame, const vtkShadowSilhouetteCache::Batch& batch, int place)
-{
-  const auto& lines = batch.Silhouettes.GetLines();
-  std::vector<glm::vec4> planes(std::max<std::size_t>(1, lines.size() / 2));
-  for (const auto& part : vtkShadowSilhouetteCache::Get(batch, place).Parts)
-  {
-    const vtkShadowCaster& caster = frame.Casters->Get()[part.Caster];
-    for (std::size_t i = part.First; i < part.First + part.Count; i += 2)
-    {
-      vtkShadowWedgeEdge edge;
-      edge.Ends[0] = GetVertex(caster, lines[i]);
-      edge.Ends[1] = GetVertex(caster, lines[i + 1]);
-      edge.SetPlane(this->Light.Place);
-      planes[i / 2] = glm::vec4(edge.Plane);
-    }
-  }
-  this->Planes.UploadBuffer(frame.Window, planes);
 }
 
 //------------------------------------------------------------------------------
@@ -249,8 +220,8 @@ void vtkPenumbraWedges::AddEdges(
   {
     const bool reverse = turn * ofCentre < 0;
     vtkShadowWedgeEdge edge;
-    edge.Ends[0] = GetVertex(caster, reverse ? to : from);
-    edge.Ends[1] = GetVertex(caster, reverse ? from : to);
+    edge.Ends[0] = vtkPenumbraLines::GetVertex(caster, reverse ? to : from);
+    edge.Ends[1] = vtkPenumbraLines::GetVertex(caster, reverse ? from : to);
     edge.Times = reverse ? -turn * times : turn * times;
     edge.Faces[0] = first;
     edge.Faces[1] = second;
@@ -423,7 +394,7 @@ void vtkPenumbraWedges::Draw(vtkShadowFrame& frame, const vtkShadowVolumes& volu
 void vtkPenumbraWedges::Release(vtkOpenGLRenderWindow* window)
 {
   this->Vertices.Release();
-  this->Planes.Release(window);
+  this->Lines.Release(window);
   this->Parts.clear();
   this->Wedges = this->Culled = 0;
 }

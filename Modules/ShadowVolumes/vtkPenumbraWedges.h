@@ -3,13 +3,11 @@
 // the GPU.
 //
 //   wedges  vertex buffer    60 bytes a corner, 92 of all edges; about 50 corners a wedge
-//   planes  RGBA32F buffer   a texel a line of the silhouettes' batch: through the light's centre and the
-//                            edge, in SWC, positive where the caster is
 
 #ifndef vtkPenumbraWedges_h
 #define vtkPenumbraWedges_h
 
-#include "vtkShadowGL.h"       // For planes
+#include "vtkPenumbraLines.h"  // For lines
 #include "vtkShadowVertices.h" // For vertices
 #include "vtkShadowVolumes.h"  // For what they are drawn over
 #include "vtkShadowWedges.h"   // For bounds
@@ -39,12 +37,11 @@ public:
   void SetEmission(vtkPenumbraEmission* emission) { this->Emission = emission; }
   const vtkShadowWedgeLight& GetLight() const { return this->Light; }
 
-  /** Make the planes of the silhouettes of a light's place, for the count of volumes. */
-  void MakePlanes(vtkShadowFrame& frame, const vtkShadowSilhouetteCache::Batch& batch, int place);
-  /** Make the wedges of the silhouettes of a light's place. */
-  void MakeOfSilhouette(vtkShadowFrame& frame, const vtkShadowSilhouetteCache::Batch& batch,
-    int place, vtkShadowWedge::Bounds bounds);
-
+  /** The lines of the silhouettes of the light's centre: what is counted, and stood on by wedges. */
+  vtkPenumbraLines& GetLines() { return this->Lines; }
+  const vtkPenumbraLines& GetLines() const { return this->Lines; }
+  /** Make the wedges of these lines. */
+  void MakeOfSilhouette(vtkShadowFrame& frame, vtkShadowWedge::Bounds bounds);
   /**
    * Make those of all edges that casters (indices of vtkShadowCasters::Get()) may end at, as any point of
    * the light sees them.
@@ -68,9 +65,8 @@ public:
   void SetLight(const vtkShadowFrame& frame, vtkShaderProgram* program) const;
   std::string GetLightGLSL() const;
 
-  vtkShadowTexture& GetPlanes() { return this->Planes; }
   std::size_t GetNumberOfWedges() const { return this->Wedges; }
-  std::size_t GetBytes() const { return this->Vertices.GetBytes() + this->Planes.GetBytes(); }
+  std::size_t GetBytes() const { return this->Vertices.GetBytes() + this->Lines.GetBytes(); }
   void Release(vtkOpenGLRenderWindow* window);
 
 private:
@@ -97,7 +93,7 @@ private:
   vtkShadowWedgeLight Light;
   vtkPenumbraEmission* Emission = nullptr;
   vtkShadowVertices Vertices;
-  vtkShadowTexture Planes;
+  vtkPenumbraLines Lines;
   std::vector<Part> Parts;
   bool OfEdges = false; // with faces
   std::size_t Wedges = 0;

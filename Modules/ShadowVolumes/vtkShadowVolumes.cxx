@@ -113,14 +113,14 @@ void vtkShadowVolumes::SetView(const vtkShadowFrame& frame)
   // Depth falls from 1 at the near plane: near / distance, or evenly to the far plane. The near plane
   // is the projection's, which need not be that of the camera's clipping range.
   this->WRow = glm::row(frame.VCToClip, 3);
-  double nearest = std::numeric_limits<double>::max();
+  this->Nearest = std::numeric_limits<double>::max();
   for (int i = 0; i < 4; ++i)
   {
     const glm::dvec4 corner(this->FrustumCorners[i], 1.0);
-    nearest = std::min(nearest, glm::dot(glm::row(this->SWCToClip, 3), corner));
+    this->Nearest = std::min(this->Nearest, glm::dot(glm::row(this->SWCToClip, 3), corner));
   }
   this->DepthRow = this->Parallel ? 0.5 * (this->WRow - glm::row(frame.VCToClip, 2))
-                                  : glm::dvec4(0.0, 0.0, 0.0, nearest);
+                                  : glm::dvec4(0.0, 0.0, 0.0, this->Nearest);
   this->ClipControl = VTK_SHADOW_HAS_GL(ARB_clip_control) || VTK_SHADOW_HAS_GL(VERSION_4_5);
   const glm::dmat4 VCToDraw = glm::row(
     frame.VCToClip, 2, this->ClipControl ? this->DepthRow : 2.0 * this->DepthRow - this->WRow);
@@ -177,7 +177,7 @@ bool vtkShadowVolumes::HasCaps(const vtkShadowCaster& caster, const glm::dvec4& 
 
 //------------------------------------------------------------------------------
 vtkShadowVolumes::Selection vtkShadowVolumes::Select(
-  vtkShadowFrame& frame, int light, int sample, const std::vector<int>* some)
+  vtkShadowFrame& frame, int light, int sample, const std::vector<vtkShadowCasterPart>* others)
 {
   const glm::dvec4& place = this->Silhouettes.GetPlace(light, sample);
   Selection selection;
@@ -186,16 +186,7 @@ vtkShadowVolumes::Selection vtkShadowVolumes::Select(
   const auto shading = this->GetShadingPlanes(place);
   std::vector<CappedCaster> capped;
   std::size_t mostNested = silhouette.MostNested;
-  std::vector<vtkShadowCasterPart> parts = silhouette.Parts;
-  if (some)
-  {
-    parts.clear();
-    for (const int i : *some)
-    {
-      parts.push_back(silhouette.Parts[i]);
-    }
-  }
-  for (const auto& part : parts)
+  for (const auto& part : others ? *others : silhouette.Parts)
   {
     const vtkShadowCaster& caster = frame.Casters->Get()[part.Caster];
     if (this->IsOutOfView(caster, { place }))

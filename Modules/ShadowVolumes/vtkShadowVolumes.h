@@ -34,6 +34,7 @@
 #include <utility>
 #include <vector>
 
+class vtkPenumbraLines;
 class vtkShaderProgram;
 class vtkVisibilityBuffer;
 struct vtkShadowFrame;
@@ -79,13 +80,15 @@ public:
    */
   bool Subtract(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, int part, int sample);
   /**
-   * Add how many volumes of a place hold the receiver to the first channel of a layer of a target. Of
-   * sides, planes (a texel a line of the batch, in SWC) and the receiver's position tell it; of caps,
-   * depths. Of some parts of the silhouette alone, if these are named; of a caster with caps all or none.
+   * Add how many volumes of a place hold the receiver to the first channel of a layer of a target: those
+   * on lines of its silhouettes. Of sides, planes and the receiver's position tell it; of caps, depths.
+   * Of some parts of the lines alone, if these are named; of a caster with caps all or none.
    */
   void AddCounts(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, const vtkShadowTexture& target,
-    int layer, int part, int sample, vtkShadowTexture& planes,
+    int layer, int part, int sample, vtkPenumbraLines& lines,
     const std::vector<int>* some = nullptr);
+  /** How far from the eye the picture begins, in what w is of clip coordinates. */
+  double GetNearest() const { return this->Nearest; }
   /** Whether a caster's volume is counted with caps. */
   bool HasCaps(const vtkShadowCaster& caster, const glm::dvec4& place) const;
   /**
@@ -123,8 +126,9 @@ private:
   };
 
   void SetView(const vtkShadowFrame& frame);
-  Selection Select(
-    vtkShadowFrame& frame, int part, int sample, const std::vector<int>* some = nullptr);
+  /** Of other lines than all of the silhouette's, if these are given. */
+  Selection Select(vtkShadowFrame& frame, int part, int sample,
+    const std::vector<vtkShadowCasterPart>* others = nullptr);
   /** Planes around what can shadow the near rectangle: the pyramid over it with the light on top. */
   std::vector<glm::dvec4> GetShadingPlanes(const glm::dvec4& place) const;
   /** The eye may see the inside of a body: through its surface, or where the near plane cuts it. */
@@ -163,6 +167,7 @@ private:
   bool ClipControl = false;               // their z runs from 0 to w
   std::vector<glm::dvec4> FrustumPlanes;  // inside is positive
   std::vector<glm::dvec3> FrustumCorners; // near ones first
+  double Nearest = 0.0;
   bool Parallel = false;
   bool Mirrored = false;
 

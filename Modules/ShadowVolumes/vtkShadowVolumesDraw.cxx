@@ -4,6 +4,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPenumbraLightFS.h"
+#include "vtkPenumbraLines.h"
 #include "vtkPenumbraSidesFS.h"
 #include "vtkPenumbraSidesGS.h"
 #include "vtkShaderProgram.h"
@@ -333,11 +334,16 @@ bool vtkShadowVolumes::Subtract(
 
 //------------------------------------------------------------------------------
 void vtkShadowVolumes::AddCounts(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer,
-  const vtkShadowTexture& target, int layer, int part, int sample, vtkShadowTexture& planes,
+  const vtkShadowTexture& target, int layer, int part, int sample, vtkPenumbraLines& lines,
   const std::vector<int>* some)
 {
   const glm::dvec4& place = this->Silhouettes.GetPlace(part, sample);
-  const Selection selection = this->Select(frame, part, sample, some);
+  std::vector<vtkShadowCasterPart> parts;
+  for (std::size_t i = 0; i < (some ? some->size() : lines.GetParts().size()); ++i)
+  {
+    parts.push_back(lines.GetParts()[some ? static_cast<std::size_t>((*some)[i]) : i]);
+  }
+  const Selection selection = this->Select(frame, part, sample, &parts);
   if (selection.ZPass.empty() && selection.ZFail.empty())
   {
     return;
@@ -351,6 +357,7 @@ void vtkShadowVolumes::AddCounts(vtkShadowFrame& frame, vtkVisibilityBuffer& buf
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
   vtkShadowTexture& receivers = buffer.GetReceivers().GetTexture();
   receivers.Activate(frame.Window);
+  vtkShadowTexture& planes = lines.GetPlanes();
   planes.Activate(frame.Window);
   bool passing = true;
   glm::mat4 VCToSWC(frame.VCToSWC);
@@ -369,7 +376,10 @@ void vtkShadowVolumes::AddCounts(vtkShadowFrame& frame, vtkVisibilityBuffer& buf
   how.SetCasterParameters = [&](vtkShaderProgram* program, const vtkShadowCaster& caster)
   { this->SetExtrusion(program, caster, place, this->SWCToDraw); };
   how.SetPartParameters = [](vtkShaderProgram* program, const vtkShadowCasterPart& linesOfPart)
-  { program->SetUniformi("shadowFirstLine", static_cast<int>(linesOfPart.First / 2)); };
+  {
+    program->SetUniformi("shadowFirstLine", static_cast<int>(linesOfPart.First / 2));
+    program->SetUniformi("shadowWidth", vtkPenumbraLines::Width);
+  };
   this->DrawVolumes(
     frame, place, selection, vtkShadowVolumeCountFS,
     [&](bool zPass)
@@ -382,10 +392,10 @@ void vtkShadowVolumes::AddCounts(vtkShadowFrame& frame, vtkVisibilityBuffer& buf
       };
     },
     [&](
-      const std::vector<vtkShadowCasterPart>& parts, const std::function<void(vtkShaderProgram*)>&)
+      const std::vector<vtkShadowCasterPart>& drawn, const std::function<void(vtkShaderProgram*)>&)
     {
       frame.Drawing->DrawParts(
-        frame.Window, this->SWCToDraw, GL_LINES, selection.Lines->Lines, parts, how);
+        frame.Window, this->SWCToDraw, GL_LINES, lines.GetBuffer(), drawn, how);
     });
   planes.Deactivate(frame.Window);
   receivers.Deactivate(frame.Window);

@@ -66,6 +66,28 @@ void AddBadMeshes(ShadowStage& stage)
     { { 0, 1, 2 }, { 3, 4, 5 }, { 0, 4, 2 }, { 5, 4, 3 } });
 }
 
+/** Whose hole has a concave silhouette. */
+void AddTorus(ShadowStage& stage, const glm::dvec3& centre, int resolution)
+{
+  std::vector<glm::dvec3> points;
+  std::vector<std::vector<vtkIdType>> polygons;
+  const auto at = [&](int i, int j)
+  { return static_cast<vtkIdType>((i % resolution) * resolution + j % resolution); };
+  for (int i = 0; i < resolution; ++i)
+  {
+    for (int j = 0; j < resolution; ++j)
+    {
+      const double around = glm::radians(360.0 * i / resolution);
+      const double across = glm::radians(360.0 * j / resolution);
+      const double reach = 0.4 + 0.15 * std::cos(across);
+      points.push_back(centre + glm::dvec3(reach * std::cos(around), reach * std::sin(around),
+                                  0.15 * std::sin(across)));
+      polygons.push_back({ at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1) });
+    }
+  }
+  AddMesh(stage, points, polygons);
+}
+
 Visibility See(ShadowStage& stage, const std::string& technique, const Parameters& parameters)
 {
   stage.SetPass(technique, parameters);
@@ -333,6 +355,62 @@ SHADOW_TEST(Wedges, BoundsChangeNothing, Once)
       ShadowTest::Check(
         Same(tight, sphere), std::string(GetName(kind)) + ", " + overlap + ": V by another bound");
       ShadowTest::CheckAtLeast(stage.Count("wedgesDrawn"), 10.0, "wedges");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Runs of short edges that are one edge move a shadow by less than a pixel: each pixel is as bright as
+// some place between it and its neighbours was, so that it lies between the least and the greatest of
+// these, and there is no hole: but for single pixels on bodies themselves beside a silhouette, where the
+// light is seen along the surface. More edges are left where the camera is nearer.
+SHADOW_TEST(Wedges, RunsAreOneEdge, Once)
+{
+  for (const LightKind kind : { LightKind::Sphere, LightKind::Rectangle, LightKind::Directional })
+  {
+    for (const double softness : { 0.1, 1.0 })
+    {
+      for (const Parameters& parameters :
+        { Parameters{}, Parameters{ { "overlap", "loops" }, { "split", "2" } } })
+      {
+        ShadowStage stage(160, 120);
+        stage.AddFloor();
+        stage.AddSphere({ 0.0, 0.0, 1.0 }, 0.6, 160);
+        stage.AddSphere({ 0.9, -0.8, 0.4 }, 0.3, 100);
+        AddTorus(stage, { -1.1, 0.4, 0.7 }, 96);
+        ShadowStage::Shrink(stage.AddLight(kind), softness);
+        stage.LookAt({ 3.0, -6.5, 4.0 }, { 0.0, 0.0, 0.4 });
+        Parameters every = parameters;
+        every["merge"] = "0";
+        const auto before = See(stage, "wedges", every);
+        const double edges = stage.Count("wedges");
+        ShadowTest::CheckEqual(stage.Count("linesMerged"), 0.0, "merged, with merge=0");
+        const auto after = See(stage, "wedges", parameters);
+        const double fewer = stage.Count("wedges");
+        const std::string what = std::string(GetName(kind)) + " x " + std::to_string(softness) +
+                                 (parameters.empty() ? "" : ", loops");
+        ShadowTest::CheckAtMost(fewer, 0.7 * edges, what + ": wedges, of " + std::to_string(edges));
+        int wrong = 0;
+        for (int k = 0; k < after.Width * after.Height; ++k)
+        {
+          float low = 1.0f;
+          float high = 0.0f;
+          for (int j = 0; j < 9; ++j)
+          {
+            const int x = std::clamp(k % after.Width + j % 3 - 1, 0, after.Width - 1);
+            const int y = std::clamp(k / after.Width + j / 3 - 1, 0, after.Height - 1);
+            const std::size_t i = static_cast<std::size_t>(y) * after.Width + x;
+            low = std::min(low, before.V[i]);
+            high = std::max(high, before.V[i]);
+          }
+          wrong += after.Mask[k] && !(after.V[k] >= low - 0.02f && after.V[k] <= high + 0.02f);
+        }
+        ShadowTest::CheckAtMost(wrong, 0.0005 * after.Width * after.Height,
+          what + ": pixels out of their neighbours' range");
+        stage.LookAt({ 0.6, -1.3, 1.8 }, { 0.0, 0.0, 0.4 });
+        stage.Render();
+        ShadowTest::CheckAtLeast(stage.Count("wedges"), 1.1 * fewer, what + ": wedges from nearby");
+      }
     }
   }
 }

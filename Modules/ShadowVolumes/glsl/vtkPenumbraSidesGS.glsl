@@ -9,14 +9,16 @@ layout(triangle_strip, max_vertices = 4) out;
 
 uniform vec4 shadowLightDC; // the light, scaled: see vtkShadowVolumes
 uniform float shadowKeep;   // of the vertex in its end far from the light
-uniform samplerBuffer shadowPlanes; // a plane a line
+uniform sampler2DArray shadowPlanes; // a plane a line, row by row
 uniform int shadowFirstLine;
+uniform int shadowWidth;
 
 flat out vec4 shadowPlaneSWC;
 
 void main()
 {
-  vec4 planeSWC = texelFetch(shadowPlanes, shadowFirstLine + gl_PrimitiveIDIn);
+  int line = shadowFirstLine + gl_PrimitiveIDIn;
+  vec4 planeSWC = texelFetch(shadowPlanes, ivec3(line % shadowWidth, line / shadowWidth, 0), 0);
   for (int i = 0; i < 2; ++i)
   {
     shadowPlaneSWC = planeSWC;
