@@ -29,7 +29,7 @@
  * 16 times the metric's, default 1), antialias (default on), resolution
  * (side of a tile's map, 16 to 16384 texels, default 0: 512, with metric=none as the picture's),
  * cache (default on), budget (of pages, 1 to 16384 MB, default 256), taps (most texels
- * along a side of a kernel, 4 to 16384, default 48), coarse (side of the coarse maps, 32 to 4096
+ * along a side of a kernel, 1 to 16384, default 48), coarse (side of the coarse maps, 32 to 4096
  * texels, default 256).
  *
  * Statistics: "tiles", "tilesDrawn", "tilesKept", "tileTexels", "tileTrianglesDrawn",

@@ -49,7 +49,7 @@ vtkShadowDeclaration Declare()
     vtkShadowParameter::Real(
       "budget", 256, 1, 16384, "Most that pages take; where more are asked for, all get coarser")
       .In("MB"),
-    vtkShadowParameter::Integer("taps", 48, 4, 16384,
+    vtkShadowParameter::Integer("taps", 48, 1, 16384,
       "Most texels that a kernel takes along a side; of more, some are left out. No metric asks "
       "for as "
       "many as by default, so that it counts where the map is finer than pixels need, as with "

@@ -233,8 +233,9 @@ void main()
   float facing = 0.5 * w * min(length(shadowPixelVC[0]), length(shadowPixelVC[1])) / sight.w;
   texel = shadowTexel * max(texel, facing / SHADOW_VIEW(view, 8).yz);
 #ifndef SHADOW_ANTIALIAS
-  // A box of no size has no weight; of this size it has one in the largest map.
-  axes = mat2(texel.x / 128.0, 0.0, 0.0, texel.y / 128.0);
+  // A box of no size has no weight, nor has what a place in the map is rounded to.
+  vec2 least = max(1e-3, 4e-7 * SHADOW_PAGE_SIDE) * texel;
+  axes = mat2(least.x, 0.0, 0.0, least.y);
   filtered = shadowDecompose(soft, axes);
 #endif
   vec2 even;
