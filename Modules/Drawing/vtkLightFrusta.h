@@ -59,6 +59,11 @@ struct vtkLightView
 class VTKSOFTSHADOWSDRAWING_EXPORT vtkLightFrusta
 {
 public:
+  /** So many groups of casters get maps of their own, where few maps are drawn. */
+  static constexpr int MostGroups = 4;
+  /** Texels of a map's border that stay clear of casters, where one look-up reads its neighbours. */
+  static constexpr double BorderTexels = 2.0;
+
   struct Options
   {
     /** So far the frusta's borders stay clear of casters, as a share of the window. */

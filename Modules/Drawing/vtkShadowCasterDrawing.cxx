@@ -325,6 +325,7 @@ void vtkShadowCasterDrawing::DrawVisible(std::size_t caster, const glm::dmat4& M
   const auto chunks = this->GPU->Chunks.find(this->Casters.Get()[caster].Mesh.get());
   if (chunks == this->GPU->Chunks.end())
   {
+    ++this->DrawnChunks;
     draw(0, place.Count);
     return;
   }
@@ -346,6 +347,7 @@ void vtkShadowCasterDrawing::DrawVisible(std::size_t caster, const glm::dmat4& M
       first = chunk.First;
       count = 0;
     }
+    ++this->DrawnChunks;
     count += chunk.Count;
   }
   if (count > 0)

@@ -87,15 +87,17 @@ public:
     const vtkShadowCasterDraw& how);
 
   /** Triangles of a chunk, the last one's may be fewer. */
-  static constexpr std::size_t ChunkTriangles = 16384;
+  static constexpr std::size_t ChunkTriangles = 2048;
   /** Triangles that Draw has sent, and has left out, since the last Reset. */
   std::size_t GetDrawnTriangles() const { return this->Drawn; }
   std::size_t GetCulledTriangles() const { return this->Culled; }
+  /** Chunks that Draw has sent; of a small mesh one. */
+  std::size_t GetDrawnChunks() const { return this->DrawnChunks; }
   /** Whether anything was drawn since the last Reset. */
   bool IsUsed() const { return this->Used; }
   void ResetCounts()
   {
-    this->Drawn = this->Culled = 0;
+    this->Drawn = this->Culled = this->DrawnChunks = 0;
     this->Used = false;
   }
 
@@ -119,6 +121,7 @@ private:
   std::unique_ptr<Buffers> GPU;
   std::size_t Drawn = 0;
   std::size_t Culled = 0;
+  std::size_t DrawnChunks = 0;
   bool Used = false;
 };
 

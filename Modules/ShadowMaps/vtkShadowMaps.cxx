@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowMaps.h"
 
+#include "vtkLightViewVectors.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
@@ -8,12 +9,11 @@
 #include "vtkShadowCasters.h"
 #include "vtkShadowDepthState.h"
 #include "vtkShadowFrame.h"
+#include "vtkShadowMapBiasFS.h"
 #include "vtkShadowMapMidpointFS.h"
 #include "vtkShadowMapPeelFS.h"
 #include "vtkShadowMapViewsFS.h"
 #include "vtkShadowOpenGL.h"
-
-#include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
 #include <array>
@@ -22,21 +22,13 @@
 
 namespace
 {
-/** Rounding of a 32-bit depth in the rasterizer, as a share of the map's depth range. */
-constexpr double DepthRounding = 1.0 / 1048576.0;
-
 /** So many views are uniforms, and the shader's loops over them constant. */
 constexpr int MostFewViews = 12;
 
-/** Vectors of a view: see vtkShadowMapViewsFS.glsl; and of one for neighbours. */
-constexpr int VectorsOfView = 7;
-constexpr int VectorsOfKernel = 5;
+/** Look-ups end so many texels before a border that is cut, and never at another. */
+constexpr double CutTexels = 2.0;
 
-/** A map's border that stays clear of casters, in texels: look-ups there find light. */
-constexpr double BorderTexels = 2.0;
-
-/** So many groups of casters get maps of their own; and for each of many samples. */
-constexpr int MostGroups = 4;
+/** So many groups of casters get maps of their own for each of many samples. */
 constexpr int MostGroupsOfSample = 2;
 }
 
@@ -57,10 +49,10 @@ std::vector<vtkShadowMaps::View> vtkShadowMaps::MakeViews(
 {
   const vtkShadowLightPart& part = frame.Parts[index];
   vtkLightFrusta::Options options;
-  options.Border = BorderTexels / this->Current.Resolution;
+  options.Border = vtkLightFrusta::BorderTexels / this->Current.Resolution;
   options.Texel = 1.0 / this->Current.Resolution;
   options.Neighbours = this->Current.Neighbours;
-  options.Groups = this->Current.Samples == 1 ? MostGroups : MostGroupsOfSample;
+  options.Groups = this->Current.Samples == 1 ? vtkLightFrusta::MostGroups : MostGroupsOfSample;
   const vtkLightFrusta frusta(part, *frame.Casters, options);
   state.Casters = frusta.GetCasters();
   state.Extent = frusta.GetExtent();
@@ -376,64 +368,22 @@ void vtkShadowMaps::UpdateViewVectors(vtkShadowFrame& frame, bool changed)
     return;
   }
   this->VCToSWC = frame.VCToSWC;
-  const glm::dmat4 toUnit =
-    glm::scale(glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)), glm::dvec3(0.5));
-  const glm::dmat4 SWCToVC = frame.GetSWCToVC();
   auto& vectors = this->ViewVectors.Get();
   vectors.clear();
-  vectors.reserve((VectorsOfView + VectorsOfKernel) * this->Views.size());
+  const double texels = this->Current.Resolution;
   for (const auto& view : this->Views)
   {
-    glm::dmat4 rows = glm::transpose(toUnit * view.Frustum.SWCToClip * frame.VCToSWC);
-    rows[2] -= DepthRounding * rows[3];
-    for (int r = 0; r < 4; ++r)
-    {
-      vectors.emplace_back(rows[r]);
-    }
-    const bool directional = frame.Parts[view.Light].Light.IsDirectional();
-    const glm::dvec4 place = SWCToVC * glm::dvec4(view.Frustum.Place, directional ? 0.0 : 1.0);
-    const glm::dmat3 turn(SWCToVC);
-    const double texel = view.Frustum.DepthScale / this->Current.Resolution;
-    vectors.emplace_back(glm::dvec4(turn * view.Frustum.WindowX * texel, place.x));
-    vectors.emplace_back(glm::dvec4(turn * view.Frustum.WindowY * texel, place.y));
-    vectors.emplace_back(glm::dvec4(view.Weight, place.z));
+    const vtkShadowLight& light = frame.Parts[view.Light].Light;
+    vtkLightViewVectors::AddView(vectors, frame, light, view.Frustum, texels, view.Weight);
     if (this->Current.Neighbours)
     {
-      this->AddKernelVectors(frame.Parts[view.Light], view);
+      vtkLightViewVectors::AddSight(
+        vectors, light, view.Frustum, texels, this->GetSeparation(view.Light), CutTexels / texels);
     }
   }
   // The constants of few views are those of all at once.
   this->ViewVectors.Update(
     frame.Window, this->AreResident() && this->GetNumberOfViews() <= MostFewViews);
-}
-
-//------------------------------------------------------------------------------
-void vtkShadowMaps::AddKernelVectors(const vtkShadowLightPart& part, const View& view)
-{
-  auto& vectors = this->ViewVectors.Get();
-  const vtkShadowLight& light = part.Light;
-  const vtkLightView& frustum = view.Frustum;
-  const glm::dvec2 window(glm::length(frustum.WindowX), glm::length(frustum.WindowY));
-  const glm::dvec3 x = frustum.WindowX / window.x;
-  const glm::dvec3 y = frustum.WindowY / window.y;
-  const bool sphere = light.Kind == vtkShadowLight::Shape::Sphere;
-  // A sphere's axes are those of the view; the shader projects them for each receiver.
-  const double radius = glm::length(light.U);
-  const glm::dvec3 u = sphere ? radius * x : light.U;
-  const glm::dvec3 v = sphere ? radius * y : light.V;
-  const glm::dvec2 scale = 1.0 / (window * frustum.DepthScale);
-  vectors.emplace_back(glm::dvec4(glm::dot(u, x), glm::dot(u, y), glm::dot(v, x), glm::dot(v, y)) *
-                       glm::dvec4(scale, scale));
-  vectors.emplace_back(glm::dvec4(frustum.DepthScale, window, 0.0));
-  vectors.emplace_back(glm::dvec4(frustum.Face ? 1 : 0, sphere ? 1 : 0,
-    this->GetSeparation(view.Light), this->Current.Resolution / frustum.DepthScale));
-  const glm::dvec3 z = glm::cross(x, y); // along the axis: windows are right-handed with it
-  vectors.emplace_back(glm::dvec4(glm::dot(u, z), glm::dot(v, z), sphere ? radius : 0.0, 0.0));
-  // Look-ups end two texels before a border that is cut, and never at another.
-  const double border = 2.0 / this->Current.Resolution;
-  const auto& cut = frustum.Cut;
-  vectors.emplace_back(glm::dvec4(cut[0] ? border : -1e6, cut[1] ? border : -1e6,
-    cut[2] ? 1.0 - border : 1e6, cut[3] ? 1.0 - border : 1e6));
 }
 
 //------------------------------------------------------------------------------
@@ -464,7 +414,8 @@ std::string vtkShadowMaps::GetGLSL() const
     this->Views.begin(), this->Views.end(), [](const View& v) { return v.Frustum.Clipped; });
   const bool cut = std::any_of(this->Views.begin(), this->Views.end(),
     [](const View& v) { return std::count(v.Frustum.Cut.begin(), v.Frustum.Cut.end(), true) > 0; });
-  const int vectors = VectorsOfView + (this->Current.Neighbours ? VectorsOfKernel : 0);
+  const int vectors =
+    vtkLightViewVectors::OfView + (this->Current.Neighbours ? vtkLightViewVectors::OfSight : 0);
   std::string source = "#define SHADOW_VIEW_VECTORS " + std::to_string(vectors) +
                        "\n#define SHADOW_MAP_SIDE " + std::to_string(this->Current.Resolution) +
                        ".0\n" + (this->Current.Bilinear ? "#define SHADOW_BILINEAR\n" : "") +
@@ -490,8 +441,10 @@ std::string vtkShadowMaps::GetGLSL() const
               "\n#define SHADOW_FIRST_VIEW(light) (" + first +
               ")\n#define SHADOW_END_OF_VIEWS(light) (" + end + ")\n";
   }
-  source += vtkShadowMapViewsFS;
-  return this->Current.Neighbours ? source + vtkShadowDepthPyramid::GetGLSL() : source;
+  source += vtkShadowMapViewsFS + vtkLightViewVectors::GetViewGLSL() + vtkShadowMapBiasFS;
+  return this->Current.Neighbours
+           ? source + vtkLightViewVectors::GetSightGLSL() + vtkShadowDepthPyramid::GetGLSL()
+           : source;
 }
 
 //------------------------------------------------------------------------------

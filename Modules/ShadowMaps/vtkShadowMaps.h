@@ -3,8 +3,8 @@
 // texture and kept while light, casters and settings are unchanged.
 //
 //   maps    DEPTH_COMPONENT32F  resolution^2, a layer each view (4 bytes a texel)
-//   views   RGBA32F buffer      seven texels a view (see vtkShadowMapViewsFS.glsl), twelve
-//                               for neighbours; uniforms if few
+//   views   RGBA32F buffer      see vtkLightViewVectors: seven texels a view, twelve for
+//                               neighbours; uniforms if few
 //   pyramid                     for neighbours: see vtkShadowDepthPyramid
 //   layers  DEPTH_COMPONENT32F  resolution^2, of midpoint maps: first and second layer
 //   sides   R32F                the same: which side of their faces they show
@@ -108,7 +108,6 @@ private:
   bool AllocateLayers(vtkOpenGLRenderWindow* window);
   void ReleaseUnused(vtkOpenGLRenderWindow* window);
   void DrawMidpoint(vtkShadowFrame& frame, int view);
-  void AddKernelVectors(const vtkShadowLightPart& part, const View& view);
   void UpdateViewVectors(vtkShadowFrame& frame, bool changed);
 
   vtkShadowMapSettings Current;
@@ -119,7 +118,7 @@ private:
   int BatchSize = 0;
   int BatchFirst = 0; // the view in layer 0
   int BatchCount = 0;
-  vtkShadowVectors ViewVectors; // of vtkShadowMapViewsFS.glsl, for the camera of this frame
+  vtkShadowVectors ViewVectors; // of vtkLightViewVectors, for the camera of this frame
   glm::dmat4 VCToSWC{ 0.0 };    // that camera
   vtkShadowTexture Maps;
   vtkShadowSampler Depths;       // the maps without compare

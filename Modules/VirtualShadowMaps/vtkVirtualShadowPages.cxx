@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace
 {
@@ -33,6 +34,56 @@ glm::dmat4 GetTileOfClip(const vtkVirtualShadowTile& tile)
   }
   // Columns: x' = scale x - scale middle w.
   return matrix;
+}
+
+/** Where two meshes differ: of each chunk of their triangles the box around those that do. */
+std::vector<std::array<glm::dvec3, 8>> FindChanges(
+  const vtkShadowMesh& a, const vtkShadowMesh& b, const glm::dmat4& MeshToSWC)
+{
+  const auto isSame = [&](std::size_t corner)
+  {
+    const float* p = &a.Positions[3 * std::size_t(a.Indices[corner])];
+    const float* q = &b.Positions[3 * std::size_t(b.Indices[corner])];
+    return p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
+  };
+  std::vector<std::array<glm::dvec3, 8>> boxes;
+  constexpr std::size_t size = 3 * vtkShadowCasterDrawing::ChunkTriangles;
+  const std::size_t most = std::max(a.Indices.size(), b.Indices.size());
+  const std::size_t common = std::min(a.Indices.size(), b.Indices.size());
+  for (std::size_t first = 0; first < most; first += size)
+  {
+    constexpr double far = std::numeric_limits<double>::max();
+    glm::dvec3 low(far);
+    glm::dvec3 high(-far);
+    for (std::size_t i = first; i < std::min(first + size, most); i += 3)
+    {
+      if (i < common && isSame(i) && isSame(i + 1) && isSame(i + 2))
+      {
+        continue;
+      }
+      for (const vtkShadowMesh* mesh : { &a, &b })
+      {
+        for (std::size_t corner = i; corner < i + 3 && corner < mesh->Indices.size(); ++corner)
+        {
+          const float* p = &mesh->Positions[3 * std::size_t(mesh->Indices[corner])];
+          low = glm::min(low, glm::dvec3(p[0], p[1], p[2]));
+          high = glm::max(high, glm::dvec3(p[0], p[1], p[2]));
+        }
+      }
+    }
+    if (low.x <= high.x)
+    {
+      std::array<glm::dvec3, 8> corners;
+      for (int i = 0; i < 8; ++i)
+      {
+        corners[i] =
+          glm::dvec3(MeshToSWC * glm::dvec4((i & 1) ? high.x : low.x, (i & 2) ? high.y : low.y,
+                                   (i & 4) ? high.z : low.z, 1.0));
+      }
+      boxes.push_back(corners);
+    }
+  }
+  return boxes;
 }
 }
 
@@ -81,8 +132,6 @@ void vtkVirtualShadowPages::DropAll()
 void vtkVirtualShadowPages::Follow(
   vtkShadowFrame& frame, int part, const std::vector<vtkLightView>& views)
 {
-  const auto drop = [this, part](int view, const glm::dmat4& SWCToClip, const Seen& seen)
-  { this->Drop(part, view, SWCToClip, seen); };
   for (int i = 0; i < static_cast<int>(views.size()); ++i)
   {
     View now;
@@ -104,13 +153,7 @@ void vtkVirtualShadowPages::Follow(
     }
     else
     {
-      std::vector<Seen> changed;
-      std::set_symmetric_difference(last.Casters.begin(), last.Casters.end(), now.Casters.begin(),
-        now.Casters.end(), std::back_inserter(changed));
-      for (const Seen& seen : changed)
-      {
-        drop(i, now.SWCToClip, seen);
-      }
+      this->DropChanges({ part, i }, last, now);
     }
     last = std::move(now);
   }
@@ -136,11 +179,45 @@ void vtkVirtualShadowPages::FollowEnd(int part)
 }
 
 //------------------------------------------------------------------------------
-void vtkVirtualShadowPages::Drop(int part, int view, const glm::dmat4& SWCToClip, const Seen& seen)
+void vtkVirtualShadowPages::DropChanges(
+  const std::array<int, 2>& whose, const View& last, const View& now)
+{
+  std::vector<Seen> gone;
+  std::vector<Seen> come;
+  std::set_difference(last.Casters.begin(), last.Casters.end(), now.Casters.begin(),
+    now.Casters.end(), std::back_inserter(gone));
+  std::set_difference(now.Casters.begin(), now.Casters.end(), last.Casters.begin(),
+    last.Casters.end(), std::back_inserter(come));
+  for (const Seen& old : gone)
+  {
+    // In the same place: its points have moved, and perhaps few of them.
+    const auto same = std::find_if(come.begin(), come.end(),
+      [&old](const Seen& other)
+      { return other.MeshToSWC == old.MeshToSWC && !old.Mesh->Holes && !other.Mesh->Holes; });
+    if (same == come.end())
+    {
+      this->Drop(whose, now.SWCToClip, old.Corners);
+      continue;
+    }
+    for (const auto& corners : FindChanges(*old.Mesh, *same->Mesh, old.MeshToSWC))
+    {
+      this->Drop(whose, now.SWCToClip, corners);
+    }
+    come.erase(same);
+  }
+  for (const Seen& seen : come)
+  {
+    this->Drop(whose, now.SWCToClip, seen.Corners);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkVirtualShadowPages::Drop(const std::array<int, 2>& whose, const glm::dmat4& SWCToClip,
+  const std::array<glm::dvec3, 8>& corners)
 {
   glm::dvec2 low(1.0);
   glm::dvec2 high(0.0);
-  for (const glm::dvec3& corner : seen.Corners)
+  for (const glm::dvec3& corner : corners)
   {
     const glm::dvec4 p = SWCToClip * glm::dvec4(corner, 1.0);
     if (p.w <= 0.0)
@@ -153,6 +230,7 @@ void vtkVirtualShadowPages::Drop(int part, int view, const glm::dmat4& SWCToClip
     low = glm::min(low, place);
     high = glm::max(high, place);
   }
+  const auto [part, view] = whose;
   auto page = this->Pages.lower_bound(Key{ part, view, 0, 0, 0, 0 });
   while (page != this->Pages.end() && page->first[0] == part && page->first[1] == view)
   {
@@ -320,6 +398,7 @@ void vtkVirtualShadowPages::Draw(vtkShadowFrame& frame, const std::vector<vtkLig
   vtkShadowDepthState depthState(frame.Window->GetState());
   vtkShadowFramebuffer::Scope target(frame.Window, this->Framebuffer, nullptr, &this->Tiles, 0);
   const std::size_t before = frame.Drawing->GetDrawnTriangles();
+  const std::size_t chunksBefore = frame.Drawing->GetDrawnChunks();
   for (const auto& tile : tiles)
   {
     if (tile.Batch != batch || tile.Kept)
@@ -336,6 +415,8 @@ void vtkVirtualShadowPages::Draw(vtkShadowFrame& frame, const std::vector<vtkLig
   }
   frame.Counts["tileTrianglesDrawn"] +=
     static_cast<double>(frame.Drawing->GetDrawnTriangles() - before);
+  frame.Counts["tileChunksDrawn"] +=
+    static_cast<double>(frame.Drawing->GetDrawnChunks() - chunksBefore);
 }
 
 //------------------------------------------------------------------------------

@@ -5,7 +5,8 @@
 //   tiles  DEPTH_COMPONENT32F  side^2, a layer each page: as many as are needed, within a budget
 //
 // A page is known by the tile's place in its view. It is dropped where a caster came, went or moved
-// over it, and the one that was not used for longest where another needs its place. What is kept is
+// over it, or where that of a chunk of it did whose points moved, and the one that was not used for
+// longest where another needs its place. What is kept is
 // bit by bit what would be drawn anew, since a tile's place alone decides what it shows.
 
 #ifndef vtkVirtualShadowPages_h
@@ -74,7 +75,10 @@ private:
 
   bool Allocate(vtkShadowFrame& frame, int slots);
   void DropAll();
-  void Drop(int part, int view, const glm::dmat4& SWCToClip, const Seen& seen);
+  /** Of a part and view: what differs between two frames, and what lies over a box. */
+  void DropChanges(const std::array<int, 2>& whose, const View& last, const View& now);
+  void Drop(const std::array<int, 2>& whose, const glm::dmat4& SWCToClip,
+    const std::array<glm::dvec3, 8>& corners);
   bool PlacePages(vtkShadowFrame& frame, int part, std::vector<vtkVirtualShadowTile>& tiles);
   bool PlaceInTurn(vtkShadowFrame& frame, std::vector<vtkVirtualShadowTile>& tiles);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVirtualShadowRequests.h"
 
+#include <glm/vec3.hpp>
+
 #include <algorithm>
 
 namespace
@@ -21,25 +23,28 @@ std::size_t vtkVirtualShadowRequests::Read(const std::vector<glm::vec4>& request
 {
   this->Pages.clear();
   std::size_t count = 0;
-  glm::vec4 last(0.0f);
+  glm::vec3 last(0.0f);
   for (const glm::vec4& request : requests)
   {
     // Comparisons that what is not finite fails.
     constexpr float most = static_cast<float>(Numbers) * Numbers;
-    if (!(request.z >= 0.5f && request.z < 65536.0f && request.x >= 0.0f && request.x < most &&
+    if (!(request.z >= 0.5f && request.z < 8388608.0f && request.x >= 0.0f && request.x < most &&
           request.y >= 0.0f && request.y < most))
     {
       continue;
     }
     ++count;
-    if (request == last)
+    // What tells of the page, without what the kernel is else.
+    const glm::vec3 asked(
+      request.x, request.y, static_cast<float>(static_cast<int>(request.z) & 8191));
+    if (asked == last)
     {
       continue; // neighbours mostly ask for the same
     }
-    last = request;
+    last = asked;
     const int x = static_cast<int>(request.x);
     const int y = static_cast<int>(request.y);
-    const auto code = static_cast<std::uint64_t>(request.z) << 32;
+    const auto code = static_cast<std::uint64_t>(asked.z) << 32;
     for (int j = y % Numbers; j <= y / Numbers; ++j)
     {
       for (int i = x % Numbers; i <= x / Numbers; ++i)

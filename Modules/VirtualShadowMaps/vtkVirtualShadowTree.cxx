@@ -48,19 +48,23 @@ std::size_t vtkVirtualShadowTree::AddRequests(const std::vector<glm::vec4>& requ
   for (const glm::vec4& request : requests)
   {
     // Comparisons that what is not finite fails.
-    const auto views = static_cast<float>(this->Grids.size());
+    const int views = static_cast<int>(this->Grids.size());
     constexpr float most = static_cast<float>(Cells * Cells) * (Cells * Cells);
-    if (!(request.y >= 1.0f && request.y < views + 1.0f && request.x >= 0.0f && request.x < most &&
-          request.z > 0.0f && request.w > 0.0f))
+    if (!(request.z >= 1.0f && request.z < 8388608.0f && request.x >= 0.0f && request.x < most &&
+          request.y > 0.0f && request.w > 0.0f))
     {
       continue;
     }
-    const int view = static_cast<int>(request.y) - 1;
+    const int view = (static_cast<int>(request.z) & 7) - 1;
+    if (view < 0 || view >= views)
+    {
+      continue;
+    }
     ++count;
     const int both = static_cast<int>(request.x);
     const int low = both % (Cells * Cells);
     const int high = both / (Cells * Cells);
-    const glm::vec2 texel(request.z, request.w);
+    const glm::vec2 texel(request.y, request.w);
     auto& grid = this->Grids[view];
     for (int y = low / Cells; y <= high / Cells; ++y)
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVirtualShadowViews.h"
 
+#include "vtkLightViewVectors.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 #include "vtkShadowCasterDrawing.h"
@@ -9,28 +10,17 @@
 #include "vtkShadowOpenGL.h"
 #include "vtkVirtualCoarseFS.h"
 #include "vtkVirtualCoarseGS.h"
+#include "vtkVirtualConservative.h"
 #include "vtkVirtualViewsFS.h"
 
-#include <glm/gtc/matrix_transform.hpp>
-
 #include <algorithm>
-#include <cmath>
 
 namespace
 {
-/** Rounding of a 32-bit depth in the rasterizer, as a share of the map's depth range. */
-constexpr double DepthRounding = 1.0 / 1048576.0;
-
-/** A map's border that stays clear of casters, in texels of the coarse map. */
-constexpr double BorderTexels = 2.0;
-
 /** Of what is turned either way a layer. */
 constexpr int Sides = 2;
 
-/** So many groups of casters get views of their own. */
-constexpr int MostGroups = 4;
-
-constexpr int VectorsOfView = 11;
+constexpr int VectorsOfView = vtkLightViewVectors::OfView + vtkLightViewVectors::OfSight;
 
 /** Variance of a disk along an axis, against that of the square around it: half side 0.866 R. */
 constexpr double VarianceOfDisk = 0.75;
@@ -54,10 +44,10 @@ bool vtkVirtualShadowViews::Update(vtkShadowFrame& frame, int side)
     else
     {
       vtkLightFrusta::Options options;
-      options.Border = BorderTexels / side;
+      options.Border = vtkLightFrusta::BorderTexels / side;
       options.Texel = 1.0 / side;
       options.Neighbours = true;
-      options.Groups = MostGroups;
+      options.Groups = vtkLightFrusta::MostGroups;
       const vtkLightFrusta frusta(frame.Parts[i], *frame.Casters, options);
       const vtkShadowLight& light = frame.Parts[i].Light;
       part.Views = frusta.GetViews(light.IsDirectional() ? -light.Direction : light.Position);
@@ -106,9 +96,12 @@ void vtkVirtualShadowViews::Draw(vtkShadowFrame& frame, const Part& part)
     how.GeometryShader = vtkVirtualCoarseGS;
     how.FragmentShader = vtkVirtualCoarseFS;
     const auto side = static_cast<float>(this->Coarse.GetWidth());
+    const unsigned int capability = vtkVirtualConservative::Choose();
+    const vtkVirtualConservative conservative(capability);
     float turn = 1.0f;
-    how.SetParameters = [side, &turn](vtkShaderProgram* program)
+    how.SetParameters = [side, capability, &turn](vtkShaderProgram* program)
     {
+      program->SetUniformi("shadowOwn", capability != 0 ? 1 : 0);
       program->SetUniformf("shadowSide", side);
       program->SetUniformf("shadowTurn", turn);
     };
@@ -171,51 +164,20 @@ void vtkVirtualShadowViews::SetParameters(
 {
   const Part& part = this->Parts[index];
   const vtkShadowLight& light = frame.Parts[index].Light;
-  const bool sphere = light.Kind == vtkShadowLight::Shape::Sphere;
-  const double radius = sphere ? glm::length(light.U) : 0.0;
-  const glm::dmat4 toUnit =
-    glm::scale(glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)), glm::dvec3(0.5));
-  const glm::dmat4 SWCToVC = frame.GetSWCToVC();
-  const glm::dmat3 turn(SWCToVC);
-  float vectors[VectorsOfView * Most][4] = {};
+  const bool square = light.Kind == vtkShadowLight::Shape::Rectangle;
+  std::vector<glm::vec4> vectors;
   for (int i = 0; i < range.Count; ++i)
   {
     const vtkLightView& view = part.Views[range.First + i];
-    const auto set = [&vectors, i](int vector, const glm::dvec4& value)
-    {
-      for (int c = 0; c < 4; ++c)
-      {
-        vectors[VectorsOfView * i + vector][c] = static_cast<float>(value[c]);
-      }
-    };
-    glm::dmat4 rows = glm::transpose(toUnit * view.SWCToClip * frame.VCToSWC);
-    rows[2] -= DepthRounding * rows[3];
-    for (int r = 0; r < 4; ++r)
-    {
-      set(r, rows[r]);
-    }
-    const glm::dvec4 place = SWCToVC * glm::dvec4(view.Place, light.IsDirectional() ? 0.0 : 1.0);
-    const glm::dvec2 window(glm::length(view.WindowX), glm::length(view.WindowY));
-    const glm::dvec3 x = view.WindowX / window.x;
-    const glm::dvec3 y = view.WindowY / window.y;
-    const glm::dvec3 z = glm::cross(x, y); // along the axis: windows are right-handed with it
-    set(4, glm::dvec4(turn * x, place.x));
-    set(5, glm::dvec4(turn * y, place.y));
-    set(6, glm::dvec4(view.DepthScale, window, place.z));
-    const glm::dvec2 scale = 1.0 / (window * view.DepthScale);
-    set(7, glm::dvec4(glm::dot(light.U, x), glm::dot(light.U, y), glm::dot(light.V, x),
-             glm::dot(light.V, y)) *
-             glm::dvec4(scale, scale));
-    set(8, glm::dvec4(glm::dot(light.U, z), glm::dot(light.V, z),
-             part.FirstLayer + Sides * (range.First + i), view.Face ? 1.0 : 0.0));
-    const bool square = light.Kind == vtkShadowLight::Shape::Rectangle;
-    set(9, glm::dvec4(radius, square ? 1.0 : VarianceOfDisk, 0.0, 0.0));
-    const auto& cut = view.Cut;
-    set(10,
-      glm::dvec4(cut[0] ? 0.0 : -1e6, cut[1] ? 0.0 : -1e6, cut[2] ? 1.0 : 1e6, cut[3] ? 1.0 : 1e6));
+    const int layer = part.FirstLayer + Sides * (range.First + i);
+    vtkLightViewVectors::AddView(
+      vectors, frame, light, view, 1.0, glm::dvec3(layer, square ? 1.0 : VarianceOfDisk, 0.0));
+    vtkLightViewVectors::AddSight(vectors, light, view, 1.0, 0.0, 0.0);
   }
+  vectors.resize(VectorsOfView * Most, glm::vec4(0.0f));
   program->SetUniformi("shadowViewCount", range.Count);
-  program->SetUniform4fv("shadowViews", VectorsOfView * Most, vectors);
+  program->SetUniform4fv(
+    "shadowViews", VectorsOfView * Most, reinterpret_cast<const float(*)[4]>(vectors.data()));
   program->SetUniformi("shadowCoarse", this->Coarse.GetUnit());
   this->Pyramid.SetParameters(program);
 }
@@ -223,7 +185,10 @@ void vtkVirtualShadowViews::SetParameters(
 //------------------------------------------------------------------------------
 std::string vtkVirtualShadowViews::GetGLSL()
 {
-  return vtkShadowDepthPyramid::GetGLSL() + vtkVirtualViewsFS;
+  return vtkShadowDepthPyramid::GetGLSL() + "#define SHADOW_VIEW_VECTORS " +
+         std::to_string(VectorsOfView) + "\n#define SHADOW_MOST_VIEWS " + std::to_string(Most) +
+         "\n" + vtkVirtualViewsFS + vtkLightViewVectors::GetViewGLSL() +
+         vtkLightViewVectors::GetSightGLSL();
 }
 
 //------------------------------------------------------------------------------

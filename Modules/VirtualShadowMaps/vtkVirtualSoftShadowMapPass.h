@@ -19,19 +19,21 @@
  *
  * Textures: see vtkVirtualShadowViews (coarse maps), vtkVirtualShadowPages (tiles);
  *
- *   kernels   RGBA32F  a pixel: half axes of the kernel over the map, number of the view
- *   requests  RGBA32F  a pixel: cells that it covers, the texel that is asked for along x and y
+ *   kernels   RGBA32F  a pixel: half axes of the kernel over the map, a parallelogram
+ *   requests  RGBA32F  a pixel: cells that it covers, its view, level and shape, the texel that is
+ *                      asked for
  *   sums      RGBA32F  a pixel: weights above the horizon, hidden and all; all weights; look-ups
  *   nodes     RGBA32F  buffer: table of the pages, 16 bytes an entry; or kd-trees, 48 bytes a node
  *
  * Parameters: metric (dynamic, static, none; default dynamic), texel (0.0625 to
  * 16 times the metric's, default 1), antialias (default on), resolution
  * (side of a tile's map, 16 to 16384 texels, default 0: 512, with metric=none as the picture's),
- * cache (default on), budget (of pages, 1 to 16384 MB, default 256), coarse (side of the coarse
- * maps, 32 to 4096 texels, default 256).
+ * cache (default on), budget (of pages, 1 to 16384 MB, default 256), taps (most texels
+ * along a side of a kernel, 1 to 16384, default 48), coarse (side of the coarse maps, 32 to 4096
+ * texels, default 256).
  *
  * Statistics: "tiles", "tilesDrawn", "tilesKept", "tileTexels", "tileTrianglesDrawn",
- * "pixelsFiltered", "coarseMapsDrawn", "coarser" (1, or how many times coarser texels are than
+ * "tileChunksDrawn", "chunksPerTile", "pixelsFiltered", "coarseMapsDrawn", "coarser" (1, or how many times coarser texels are than
  * asked for).
  *
  * Debug views: "tiles", "predicted-resolution", "kernel-size", "lit-mask", "cache-hits".

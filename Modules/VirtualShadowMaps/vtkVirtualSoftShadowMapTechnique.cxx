@@ -21,9 +21,6 @@
 
 namespace
 {
-/** Texels along a side of a kernel before some are left out; more than any metric asks for. */
-constexpr int MostTaps = 48;
-
 /** Sides of maps where none is asked for, and the least. */
 constexpr int AutomaticSide = 512;
 constexpr int LeastFixedSide = 1024;
@@ -101,8 +98,8 @@ bool vtkVirtualSoftShadowMapTechnique::UpdateLightData(vtkShadowFrame& frame)
     this->Pages.Follow(frame, i, this->Views.GetViews(i));
   }
   this->Pages.FollowEnd(parts);
-  for (const char* name :
-    { "tiles", "tilesDrawn", "tilesKept", "tileTexels", "tileTrianglesDrawn", "pixelsFiltered" })
+  for (const char* name : { "tiles", "tilesDrawn", "tilesKept", "tileTexels", "tileTrianglesDrawn",
+         "tileChunksDrawn", "chunksPerTile", "pixelsFiltered" })
   {
     frame.Counts[name] = 0.0;
   }
@@ -289,7 +286,8 @@ void vtkVirtualSoftShadowMapTechnique::Sum(vtkShadowFrame& frame, vtkVisibilityB
   std::string source = vtkVirtualSumFS;
   vtkShaderProgram::Substitute(source, "//SHADOW::Declarations",
     frame.GetLightsGLSL() + vtkShadowReceivers::GetGLSL() + vtkVirtualShadowViews::GetGLSL() +
-      this->GetTilesGLSL() + "#define SHADOW_MOST_TAPS " + std::to_string(MostTaps) + ".0\n");
+      this->GetTilesGLSL() + "#define SHADOW_MOST_TAPS " +
+      std::to_string(this->Settings.GetInteger("taps")) + ".0\n");
   for (int batch = 0; batch < this->Pages.GetNumberOfBatches(); ++batch)
   {
     this->Pages.Draw(frame, this->Views.GetViews(this->Part), this->Tiles, batch);
@@ -302,7 +300,7 @@ void vtkVirtualSoftShadowMapTechnique::Sum(vtkShadowFrame& frame, vtkVisibilityB
     }
     vtkShadowTexture& receivers = buffer.GetReceivers().GetTexture();
     for (vtkShadowTexture* texture :
-      { &receivers, &this->Kernels, &this->Nodes, &this->Pages.GetTexture() })
+      { &receivers, &this->Kernels, &this->Requests, &this->Nodes, &this->Pages.GetTexture() })
     {
       texture->Activate(frame.Window);
     }
@@ -311,6 +309,7 @@ void vtkVirtualSoftShadowMapTechnique::Sum(vtkShadowFrame& frame, vtkVisibilityB
       {
         program->SetUniformi("shadowReceivers", receivers.GetUnit());
         program->SetUniformi("shadowKernels", this->Kernels.GetUnit());
+        program->SetUniformi("shadowRequests", this->Requests.GetUnit());
         program->SetUniformi("shadowTiles", this->Pages.GetTexture().GetUnit());
         program->SetUniformi("shadowLight", this->Part);
         program->SetUniformi("shadowBatch", batch);
@@ -319,7 +318,7 @@ void vtkVirtualSoftShadowMapTechnique::Sum(vtkShadowFrame& frame, vtkVisibilityB
         this->SetTiles(program);
       });
     for (vtkShadowTexture* texture :
-      { &receivers, &this->Kernels, &this->Nodes, &this->Pages.GetTexture() })
+      { &receivers, &this->Kernels, &this->Requests, &this->Nodes, &this->Pages.GetTexture() })
     {
       texture->Deactivate(frame.Window);
     }
@@ -354,6 +353,8 @@ void vtkVirtualSoftShadowMapTechnique::FillVisibility(
       this->FillPart(frame, buffer);
     }
   }
+  frame.Counts["chunksPerTile"] =
+    frame.Counts["tileChunksDrawn"] / std::max(frame.Counts["tilesDrawn"], 1.0);
   this->Frame = nullptr;
 }
 
@@ -395,7 +396,8 @@ void vtkVirtualSoftShadowMapTechnique::FillPart(vtkShadowFrame& frame, vtkVisibi
 //------------------------------------------------------------------------------
 double vtkVirtualSoftShadowMapTechnique::GetMaximumCost()
 {
-  return static_cast<double>(MostTaps) * MostTaps;
+  const double taps = this->Settings.GetInteger("taps");
+  return taps * taps;
 }
 
 //------------------------------------------------------------------------------

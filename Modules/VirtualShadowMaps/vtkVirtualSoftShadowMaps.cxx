@@ -49,6 +49,12 @@ vtkShadowDeclaration Declare()
     vtkShadowParameter::Real(
       "budget", 256, 1, 16384, "Most that pages take; where more are asked for, all get coarser")
       .In("MB"),
+    vtkShadowParameter::Integer("taps", 48, 1, 16384,
+      "Most texels that a kernel takes along a side; of more, some are left out. No metric asks "
+      "for as "
+      "many as by default, so that it counts where the map is finer than pixels need, as with "
+      "metric=none")
+      .In("texels"),
     vtkShadowParameter::Integer("coarse", 256, 1, 4096,
       "Side of the map in which blockers are searched, 32 at least (less counts as 32), rounded "
       "down to a power of two")
@@ -66,8 +72,9 @@ vtkShadowDeclaration Declare()
   t.Limits = { "One map from the light's centre: what only other points of the light see behind a "
                "caster's edge is missing.",
     "Blockers at several depths over a receiver count as one in their mean depth.",
-    "A disk or sphere is the square of equal variance, half side 0.866 radius; a rectangle that is "
-    "turned over the map the sheared box of equal variance.",
+    "A disk or sphere is the square of equal variance, half side 0.866 radius.",
+    "Where a light and a pixel are as large as each other and turned apart, their filter is a "
+    "parallelogram of the same variance.",
     "A textured light casts no shadow.",
     "Of a translucent pixel's surfaces the nearest alone receives: it is evaluated in screen "
     "space.",

@@ -5,12 +5,19 @@
 #include "ShadowOracle.h"
 #include "ShadowTest.h"
 
+#include "vtkCellArray.h"
 #include "vtkLightCollection.h"
+#include "vtkMapper.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkShadowScenes.h"
+#include "vtkVirtualConservative.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 #include <string>
 
 namespace
@@ -134,6 +141,93 @@ SHADOW_TEST(Virtual, PagesUnderWhatMovesAreDropped, Once)
   fresh.SetPass(Name, parameters);
   fresh.Render();
   ShadowTest::Check(Same(kept, fresh.GetVisibility()), "V is stale");
+}
+
+//------------------------------------------------------------------------------
+// Points of a large mesh move in one corner, within its box: pages that lie under its other chunks, and
+// under triangles that stay, are kept bit by bit.
+SHADOW_TEST(Virtual, PagesUnderWhatStaysOfAMeshAreKept, Once)
+{
+  constexpr int side = 150; // quads: 45000 triangles, three chunks
+  const auto build = [](ShadowStage& stage)
+  {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> quads;
+    for (int y = 0; y <= side; ++y)
+    {
+      for (int x = 0; x <= side; ++x)
+      {
+        // Hills whose highest and lowest points stay.
+        points->InsertNextPoint(8.0 * x / side - 4.0, 8.0 * y / side - 4.0,
+          1.0 + 0.3 * std::sin(0.3 * x) * std::sin(0.3 * y));
+        const vtkIdType first = x + (side + 1) * y;
+        if (x < side && y < side && (x / 15 + y / 15) % 2 == 0)
+        {
+          const vtkIdType quad[] = { first, first + 1, first + side + 2, first + side + 1 };
+          quads->InsertNextCell(4, quad);
+        }
+      }
+    }
+    vtkNew<vtkPolyData> mesh;
+    mesh->SetPoints(points);
+    mesh->SetPolys(quads);
+    stage.AddFloor(8.0);
+    vtkActor* actor = stage.Add(mesh);
+    stage.AddLight(LightKind::Rectangle, { 0.0, 0.0, 12.0 }, { 0.0, 0.0, 0.0 });
+    stage.LookAt({ 0.0, -12.0, 9.0 }, { 0.0, 0.0, 0.0 }, 60.0);
+    return vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
+  };
+  const auto move = [](vtkPolyData* mesh)
+  {
+    vtkPoints* points = mesh->GetPoints();
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      points->GetPoint(i, p);
+      if (p[0] > 2.5 && p[0] < 3.5 && p[1] > 2.5 && p[1] < 3.5)
+      {
+        points->SetPoint(i, p[0], p[1], 1.0);
+      }
+    }
+    points->Modified();
+  };
+  const Parameters parameters = { { "resolution", "64" } };
+  ShadowStage stage(200, 200);
+  vtkPolyData* mesh = build(stage);
+  stage.SetPass(Name, parameters);
+  stage.Render();
+  const Visibility before = stage.GetVisibility();
+  const double tiles = stage.Count("tiles");
+  move(mesh);
+  stage.Render();
+  ShadowTest::CheckAtLeast(stage.Count("tilesDrawn"), 1.0, "pages drawn");
+  ShadowTest::CheckAtMost(stage.Count("tilesDrawn"), 0.25 * tiles, "pages drawn, of all");
+  ShadowTest::CheckAtLeast(stage.Count("chunksPerTile"), 1.0, "chunks drawn for a page");
+  const Visibility kept = stage.GetVisibility();
+  ShadowTest::Check(!Same(kept, before), "nothing has moved");
+  ShadowStage fresh(200, 200);
+  move(build(fresh));
+  fresh.SetPass(Name, parameters);
+  fresh.Render();
+  ShadowTest::Check(Same(kept, fresh.GetVisibility()), "V is stale");
+}
+
+//------------------------------------------------------------------------------
+// The GPU's own conservative rasterization is chosen where there is one.
+SHADOW_TEST(Virtual, ConservativeRasterizationIsChosen, Once)
+{
+  const auto choose = [](const std::set<std::string>& extensions)
+  {
+    return vtkVirtualConservative::Choose(
+      [&extensions](const char* name) { return extensions.count(name) > 0; });
+  };
+  const std::string nvidia = "GL_NV_conservative_raster";
+  const std::string intel = "GL_INTEL_conservative_rasterization";
+  ShadowTest::CheckEqual(choose({}), 0u, "without an extension");
+  ShadowTest::CheckEqual(choose({ "GL_NV_conservative_raster_dilate" }), 0u, "with another");
+  ShadowTest::CheckEqual(choose({ nvidia }), 0x9346u, "NVIDIA's");
+  ShadowTest::CheckEqual(choose({ intel }), 0x83FEu, "Intel's");
+  ShadowTest::CheckEqual(choose({ intel, nvidia }), 0x9346u, "both");
 }
 
 //------------------------------------------------------------------------------

@@ -1,27 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the filters of one map a light share: the light as a receiver sees it over the map, look-ups
-// there, and a conservative test of what is fully lit or in umbra.
-//
-// A map's depth is linear in the reciprocal distance, so that straight lines are straight in LC. The
-// point (s, t) of the light, in its half axes, is hidden by a blocker whose depth is less than the
-// receiver's by `delta` where the map shows the blocker at
-//
-//   receiver.xy + delta * (s * axisU + t * axisV) / (1 - s * tiltU - t * tiltV)
-//
-// with the axes as they are seen along the receiver's direction, and the tilt how much nearer to the
-// receiver they end, as a share of its distance. This is exact for every light and view; it is equation
-// 3.3 of Zapotocky, Soft shadows on GPU, 2007, with the light's width a vector, and takes the place of
-// his equations 4.1 to 4.3. A sphere is its disk that faces the receiver.
-//
-// A view's further vectors: 7: axisU, axisV, straight along the view; 8: depth times distance, lengths
-// of the window's sides at w = 1; 9: face of a cube, sphere (each 0 or 1), separation that filters of
-// constant width assume, window over texels and depth scale of 4 and 5; 10: lengths of the half axes along the
-// view's axis, radius of a sphere; 11: low x, low y, high x, high y that look-ups have to keep within.
+// What the filters of one map a light share: the light as a receiver sees it over the map
+// (vtkLightSightFS.glsl), look-ups there, and a conservative test of what is fully lit or in umbra. Of a
+// view's free value, separation that filters of constant width assume.
 
 uniform sampler2DArray shadowDepths; // the maps, as they are
-
-// How far a normal that was packed or derived may be off, in radians.
-const float shadowNormalRounding = 1.0 / 2048.0;
 
 struct shadowKernel
 {
@@ -50,64 +32,33 @@ float shadowPenumbra = 0.0; // the penumbra's full width at the receiver, the wi
 // False where the map has nothing in front of the receiver.
 bool shadowFindKernel(int light, int view, vec3 positionVC, vec3 normalVC, out shadowKernel kernel)
 {
-  vec4 axesLC = SHADOW_VIEW(view, 7);
-  vec4 measures = SHADOW_VIEW(view, 8);
-  vec4 form = SHADOW_VIEW(view, 9);
-  vec3 windowX = SHADOW_VIEW(view, 4).xyz * form.w;
-  vec3 windowY = SHADOW_VIEW(view, 5).xyz * form.w;
-  vec3 placeVC = vec3(SHADOW_VIEW(view, 4).w, SHADOW_VIEW(view, 5).w, SHADOW_VIEW(view, 6).w);
-  float centre;
-  kernel.receiverLC = shadowProjectReceiver(view, positionVC, normalVC, centre);
-  float w = dot(SHADOW_VIEW(view, 3), vec4(positionVC, 1.0));
+  shadowSight sight;
+  bool sees = shadowFindSight(light, view, positionVC, normalVC, sight);
+  kernel.receiverLC = sight.receiverLC;
   kernel.layer = float(view - shadowFirstLayer);
-  kernel.w = max(w, 1e-30);
-  kernel.positional = SHADOW_VIEW(view, 3).xyz != vec3(0.0);
-  kernel.square = shadowLightVVC[light].w > 0.0;
+  kernel.w = sight.w;
+  kernel.axisULC = sight.axisULC;
+  kernel.axisVLC = sight.axisVLC;
+  kernel.tilt = sight.tilt;
+  kernel.slopeLC = sight.slopeLC;
+  kernel.wobble = sight.wobble;
+  kernel.positional = sight.positional;
+  kernel.square = sight.square;
   kernel.bounds = SHADOW_VIEW(view, 11);
-  kernel.scale = vec2(measures.x, form.z);
-
-  // Where it is, not where it is moved to: faces of a cube must not disagree.
-  vec3 awayVC = kernel.positional ? positionVC - placeVC : -placeVC;
-  vec2 tangent = vec2(dot(windowX, awayVC), dot(windowY, awayVC)) /
-    (measures.yz * max(w, 1e-30));
-  vec4 along = SHADOW_VIEW(view, 10);
-  float ray = sqrt(1.0 + dot(tangent, tangent));
-  vec2 alongUV = form.y > 0.5 ? -along.z * tangent / ray : along.xy;
-  float stretch = form.y / (1.0 + ray);
-  vec2 scaleLC = 1.0 / (measures.yz * measures.x);
-  vec2 seenLC = tangent * scaleLC * (1.0 - form.y);
-  kernel.axisULC = axesLC.xy + stretch * tangent.x * tangent * axesLC.xw - alongUV.x * seenLC;
-  kernel.axisVLC = axesLC.zw + stretch * tangent.y * tangent * axesLC.xw - alongUV.y * seenLC;
-  kernel.tilt = kernel.positional ? alongUV / kernel.w : vec2(0.0);
-
-  // The receiver's plane over the map. Its slope ends where the light's centre grazes it: the light's
-  // points above the horizon then decide.
-  vec2 planeLC = measures.x * vec2(dot(normalVC, windowX), dot(normalVC, windowY));
-  float height = max(centre, 1e-4 * kernel.w);
-  float self = shadowSelf ? 1.0 : 0.0;
-  kernel.slopeLC = self * planeLC / height;
+  kernel.scale = vec2(SHADOW_VIEW(view, 8).x, SHADOW_VIEW(view, 9).z);
+  float centre = sight.centre;
   kernel.rise =
-    planeLC / (SHADOW_MAP_SIDE * (centre < 0.0 ? min(centre, -1e-30) : max(centre, 1e-30)));
+    sight.planeLC / (SHADOW_MAP_SIDE * (centre < 0.0 ? min(centre, -1e-30) : max(centre, 1e-30)));
   vec2 placeLC = kernel.receiverLC.xy;
   kernel.uphill = shadowUphill(kernel.rise, placeLC);
-  kernel.wobble = self * shadowNormalRounding * measures.x * max(measures.y, measures.z) / height *
-    dot(normalVC, normalVC); // lines and points have none
-  // The axes are seen along the receiver's direction: the tilt takes that back.
-  kernel.horizon = shadowSelf ? vec3(centre, dot(planeLC, kernel.axisULC) - kernel.tilt.x * centre,
-    dot(planeLC, kernel.axisVLC) - kernel.tilt.y * centre) : vec3(1.0, 0.0, 0.0);
+  kernel.horizon = shadowFindHorizon(sight);
   kernel.horizonCuts = kernel.horizon.x < abs(kernel.horizon.y) + abs(kernel.horizon.z);
-
-  bool inside = form.x < 0.5 || max(abs(tangent.x), abs(tangent.y)) <= 1.000001;
-  return w > 0.0 && kernel.receiverLC.z > 0.0 && inside;
+  return sees;
 }
 
-// Half sides of the box over the map that the light fills past a blocker at `delta`.
 vec2 shadowExtent(shadowKernel kernel, float delta)
 {
-  vec2 u = abs(kernel.axisULC);
-  vec2 v = abs(kernel.axisVLC);
-  float nearest = max(1.0 - abs(kernel.tilt.x) - abs(kernel.tilt.y), 0.25);
-  return delta / nearest * (kernel.square ? u + v : sqrt(u * u + v * v));
+  return shadowExtent(kernel.axisULC, kernel.axisVLC, kernel.tilt, kernel.square, delta);
 }
 
 // `delta` for look-ups. Where a map is cut, it is drawn in to what the map shows: so there is never a

@@ -4,12 +4,14 @@
 // Conservative rasterization: the rectangle around a triangle, with what tells which texels it
 // touches, and how deep it is there. Hasselgren, Akenine-Moeller and Ohlsson, Conservative
 // rasterization, GPU Gems 2, 2005, second algorithm, by its bounding rectangle alone: that of a
-// sliver needs no corners far away.
+// sliver needs no corners far away. Where the GPU does that itself the triangle is enough, but for those
+// that are so thin that its grid may leave nothing of them.
 
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 4) out;
 
 uniform float shadowSide; // of the map, in texels
+uniform bool shadowOwn;   // the GPU's own conservative rasterization is on
 uniform float shadowTurn; // which way triangles are turned that are drawn: 1 or -1
 
 flat out vec3 shadowEdge0; // not negative in the middle of a texel that the triangle touches
@@ -75,6 +77,15 @@ void main()
   high = min(high, vec2(1.0));
   if (any(greaterThanEqual(low, high)) || shadowRange.x > 1.0)
   {
+    return;
+  }
+  float longest = max(length(ab), max(length(ac), length(c.xy - b.xy)));
+  if (shadowOwn && abs(area) > longest / (8.0 * shadowSide))
+  {
+    shadowEmit(vec4(a.xy, 0.0, 1.0));
+    shadowEmit(vec4(b.xy, 0.0, 1.0));
+    shadowEmit(vec4(c.xy, 0.0, 1.0));
+    EndPrimitive();
     return;
   }
   shadowEmit(vec4(low, 0.0, 1.0));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Finds the tiles of a pixel. A kernel's code is 1 + view + 8 x + 256 y, of its level's halvings of
-// the map along x and y.
+// the map along x and y, + 8192 u + 262144 v, of the even parts of its trapezoids, in 31sts.
 //
 // SHADOW_PAGES: pages of SHADOW_PAGE_SIDE squared texels on the pixel's own level, in a table by
 // open addressing (vtkVirtualShadowRequests). Else the nodes of kd-trees in the order of a walk,
@@ -13,13 +13,23 @@ int shadowGetView(float code)
   return (int(code) & 7) - 1;
 }
 
+float shadowPackEven(vec2 even)
+{
+  return dot(round(31.0 * clamp(even, 0.0, 1.0)), vec2(8192.0, 262144.0));
+}
+
+vec2 shadowGetEven(float code)
+{
+  return vec2(int(code) >> 13 & 31, int(code) >> 18) / 31.0;
+}
+
 #ifdef SHADOW_PAGES
 uniform int shadowTableSize; // a power of two
 uniform int shadowCoarser;   // halvings that all levels go without
 
 ivec2 shadowGetLevel(float code)
 {
-  return max(ivec2(int(code) >> 3 & 31, int(code) >> 8) - shadowCoarser, 0);
+  return max(ivec2(int(code) >> 3 & 31, int(code) >> 8 & 31) - shadowCoarser, 0);
 }
 
 // Layer of a page, and whether it was kept; -1 where there is none.

@@ -3,10 +3,8 @@
 // closed form, times what of it no blocker hides, normalised by the sum of weights.
 
 uniform sampler2DArray shadowKernels;
-uniform sampler2DArray shadowSums;
-#ifdef SHADOW_QUANTITY
 uniform sampler2DArray shadowRequests;
-#endif
+uniform sampler2DArray shadowSums;
 
 // Told to debug views.
 float shadowTile = 0.0;       // a number that neighbours do not share
@@ -49,8 +47,9 @@ float shadowAbove(float c, float a, float b, bool square)
 SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionVC, vec3 normalVC)
 {
   ivec3 pixel = ivec3(SHADOW_PIXEL, 0);
+  vec4 request = texelFetch(shadowRequests, pixel, 0);
   vec4 kernel = texelFetch(shadowKernels, pixel, 0);
-  vec4 sums = kernel.w > 0.5 ? texelFetch(shadowSums, pixel, 0) : vec4(0.0);
+  vec4 sums = request.z > 0.5 ? texelFetch(shadowSums, pixel, 0) : vec4(0.0);
   float above = 1.0;
   vec4 placeVC = shadowLightPlaceVC[light];
   if (shadowSelf && dot(normalVC, normalVC) > 0.0)
@@ -71,36 +70,36 @@ SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionVC, vec3 normalVC)
   {
     // What of the kernel lies beside the map is lit, but where the map is cut: there it is drawn
     // in.
-    int view = shadowGetView(kernel.w);
-    shadowPlace place;
-    shadowFindPlace(view, positionVC, normalVC, place);
-    vec4 bounds = SHADOW_VIEW(view, 10);
-    vec2 centre = place.placeLC.xy;
-    vec2 reach = vec2(kernel.x, kernel.z + abs(kernel.y));
+    int view = shadowGetView(request.z);
+    shadowSight sight;
+    shadowFindSight(light, view, positionVC, normalVC, sight);
+    vec4 bounds = SHADOW_VIEW(view, 11);
+    vec2 centre = sight.receiverLC.xy;
+    vec2 reach = abs(kernel.xy) + abs(kernel.zw);
     bool cut = any(lessThan(centre - reach, bounds.xy)) ||
       any(greaterThan(centre + reach, bounds.zw));
     // Of the kernel's sides, what lies beside the map where it is not cut.
-    vec2 over = (max(kernel.xz - centre, 0.0) * vec2(lessThan(bounds.xy, vec2(0.0))) +
-      max(centre + kernel.xz - 1.0, 0.0) * vec2(greaterThan(bounds.zw, vec2(1.0)))) /
-      (2.0 * kernel.xz);
+    vec2 over = (max(reach - centre, 0.0) * vec2(lessThan(bounds.xy, vec2(0.0))) +
+      max(centre + reach - 1.0, 0.0) * vec2(greaterThan(bounds.zw, vec2(1.0)))) / (2.0 * reach);
     vec2 within = max(1.0 - over, 1e-3);
     float beside = cut ? sums.z * (1.0 / (within.x * within.y) - 1.0)
-      : 4.0 * kernel.x * kernel.z - sums.z;
+      : 4.0 * abs(kernel.x * kernel.w - kernel.y * kernel.z) - sums.z;
     bool crosses = any(lessThan(centre, reach)) || any(greaterThan(centre + reach, vec2(1.0)));
     beside = crosses ? max(beside, 0.0) : 0.0;
     float all = sums.y + beside;
     visibility *= all > 0.0 ? clamp(1.0 - sums.x / all, 0.0, 1.0) : 1.0;
   }
 #ifdef SHADOW_QUANTITY
-  shadowLitMask = kernel.w > 0.5 ? 0.0 : 1.0;
-  if (kernel.w > 0.5)
+  shadowLitMask = request.z > 0.5 ? 0.0 : 1.0;
+  if (request.z > 0.5)
   {
-    int view = shadowGetView(kernel.w);
-    shadowKernelSize = max(kernel.x, kernel.z);
-    shadowResolution = -log2(max(texelFetch(shadowRequests, pixel, 0).w, 1e-30));
-    shadowPlace place;
-    shadowFindPlace(view, positionVC, normalVC, place);
-    vec2 told = shadowTellTile(kernel.w, place.placeLC.xy);
+    int view = shadowGetView(request.z);
+    vec2 reach = abs(kernel.xy) + abs(kernel.zw);
+    shadowKernelSize = max(reach.x, reach.y);
+    shadowResolution = -log2(max(request.w, 1e-30));
+    shadowSight sight;
+    shadowFindSight(light, view, positionVC, normalVC, sight);
+    vec2 told = shadowTellTile(request.z, sight.receiverLC.xy);
     shadowTile = told.x;
     shadowReused = told.y;
   }
