@@ -428,7 +428,8 @@ private:
                (this->Positioned ? "vec4(shadowPositionVC, !shadowReceives ? 0.0 :\n"
                                    "      (shadowCasts ? 1.0 : -1.0) * "
                                    "shadowPackReceiver(shadowNormalVC == vec3(0.0) ? " +
-                                     normal + " : shadowNormalVC))"
+                                     normal + " : shadowNormalVC, " +
+                                     (this->Imposter ? "false" : "!gl_FrontFacing") + "))"
                                  : "vec4(0.0)") +
                ";\n"
                "    return;\n"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What each pixel of a picture shows of the surfaces that receive: their position and geometric normal.
 //
-//   receivers  RGBA32F  xyz: position in VC; w: packed normal and rounding (see vtkShadowReceiver),
+//   receivers  RGBA32F  xyz: position in VC; w: packed normal, rounding and side (see vtkShadowReceiver),
 //                       negative where the prop does not cast, 0 where nothing receives
 //   depth      24 bits  helper of these; as the window's, so that coplanar surfaces hide each other as
 //                       they do in the picture
@@ -48,7 +48,10 @@ public:
 
   /** GLSL that reads them: vtkShadowReceiversFS.glsl. */
   static std::string GetGLSL();
-  /** Texels, row by row from the bottom, valid until the next call: the memory is kept. */
+  /**
+   * Texels, row by row from the bottom, valid until the next call: the memory is kept. As
+   * shadowFetchReceiver gives them: their normals are those of what is seen.
+   */
   const std::vector<glm::vec4>& Read(vtkOpenGLRenderWindow* window);
 
   std::size_t GetBytes() const { return this->Texture.GetBytes() + this->Depth.GetBytes(); }

@@ -31,6 +31,9 @@ vtkShadowDeclaration Adaptive()
   t.Parameters.push_back(vtkShadowParameter::Integer("map-resolution", 0, 0, 16384,
     "Side of the maps that tell what sees all of a light; 0: automatic. It changes the time alone")
                            .In("texels"));
+  t.Parameters.push_back(vtkShadowParameter::Choice("selection", "auto", { "auto", "gpu", "cpu" },
+    "Where the pixels that need rays are chosen: on the GPU, so that they alone are read back, or "
+    "among all that are; auto is the GPU where there is one. It changes the time alone"));
   t.Resources = { "on the CPU: Embree's structures, about 100 bytes a triangle",
     "maps, 4 bytes a texel, and a pyramid, 2.7 bytes a texel, map-resolution^2 each view of a "
     "light",

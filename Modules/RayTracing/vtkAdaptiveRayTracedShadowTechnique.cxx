@@ -12,6 +12,7 @@
 #include "vtkShadowSelectUnknownGS.h"
 #include "vtkVisibilityBuffer.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace
@@ -21,6 +22,13 @@ using Clock = std::chrono::steady_clock;
 double GetMilliseconds(Clock::time_point start)
 {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/** What a pixel gets: its visibility, or what it took. */
+glm::vec3 GetValue(const vtkVisibilityBuffer& buffer, const vtkShadowRaySeen& seen, bool textured)
+{
+  return buffer.GetQuantity().empty() ? seen.GetVisibility(textured)
+                                      : glm::vec3(static_cast<float>(seen.Samples));
 }
 
 constexpr int LeastResolution = 16;
@@ -70,20 +78,22 @@ void vtkAdaptiveRayTracedShadowTechnique::FillVisibility(
   auto start = Clock::now();
   // What is known; the rest is -1.
   this->vtkRayTracedShadowTechnique::vtkShadowTechnique::FillVisibility(frame, buffer);
+  const std::string selection = this->Settings.GetChoice("selection");
+  const bool onGPU = selection == "gpu" || (selection == "auto" && !frame.IsSoftware);
   const std::size_t parts = frame.Parts.size();
   const double error = this->Settings.GetReal("error");
   const auto steps = vtkShadowRayFront::GetSteps(this->Settings.GetInteger("samples"), error > 0.0);
-  if (parts > 0)
+  if (onGPU && parts > 0)
   {
     this->Select(frame, buffer, 0);
   }
   for (std::size_t i = 0; i < parts; ++i)
   {
-    if (i + 1 < parts)
+    if (onGPU && i + 1 < parts)
     {
       this->Select(frame, buffer, i + 1); // while this part is traced
     }
-    const auto& chosen = this->Selections[i % 2].Finish();
+    const auto& chosen = onGPU ? this->Selections[i % 2].Finish() : this->Choose(frame, buffer, i);
     Receivers receivers(chosen.size());
     vtkShadowRayTracer::ForAll(chosen.size(), 1024,
       [&](std::size_t first, std::size_t end)
@@ -108,7 +118,14 @@ void vtkAdaptiveRayTracedShadowTechnique::FillVisibility(
       frame.Counts["pixelsRefined"] += static_cast<double>(front.GetRefined());
     }
     start = Clock::now();
-    this->Scatter(frame, buffer, i, receivers, front.GetSeen());
+    if (onGPU)
+    {
+      this->Scatter(frame, buffer, i, receivers, front.GetSeen());
+    }
+    else
+    {
+      this->PutBack(frame, buffer, i, receivers, front.GetSeen());
+    }
   }
 }
 
@@ -129,11 +146,48 @@ void vtkAdaptiveRayTracedShadowTechnique::Select(
 }
 
 //------------------------------------------------------------------------------
+const std::vector<vtkShadowSelection::Pixel>& vtkAdaptiveRayTracedShadowTechnique::Choose(
+  vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, std::size_t part)
+{
+  if (part == 0)
+  {
+    this->Texels = &buffer.GetReceivers().Read(frame.Window);
+  }
+  this->Known = buffer.ReadTarget(frame.Window, static_cast<int>(part));
+  const std::size_t components = this->Known.size() / this->Texels->size();
+  this->Chosen.clear();
+  for (std::size_t i = 0; i < this->Texels->size(); ++i)
+  {
+    const glm::vec4& texel = (*this->Texels)[i];
+    if (this->Known[components * i] < 0.0f && vtkShadowReceiver::IsOne(texel))
+    {
+      this->Chosen.push_back({ texel, static_cast<std::int32_t>(i) });
+    }
+  }
+  return this->Chosen;
+}
+
+//------------------------------------------------------------------------------
+void vtkAdaptiveRayTracedShadowTechnique::PutBack(vtkShadowFrame& frame,
+  vtkVisibilityBuffer& buffer, std::size_t part, const Receivers& receivers,
+  const std::vector<vtkShadowRaySeen>& seen)
+{
+  const bool textured = frame.Parts[part].Light.Emission != nullptr;
+  const std::size_t components = this->Known.size() / this->Texels->size();
+  for (std::size_t i = 0; i < receivers.size(); ++i)
+  {
+    const glm::vec3 value = GetValue(buffer, seen[i], textured);
+    float* known = &this->Known[components * static_cast<std::size_t>(receivers[i].Pixel)];
+    std::copy_n(&value.x, std::min<std::size_t>(components, 3), known);
+  }
+  buffer.GetTarget().UploadLayer(frame.Window, static_cast<int>(part), this->Known.data());
+}
+
+//------------------------------------------------------------------------------
 void vtkAdaptiveRayTracedShadowTechnique::Scatter(vtkShadowFrame& frame,
   vtkVisibilityBuffer& buffer, std::size_t part, const Receivers& receivers,
   const std::vector<vtkShadowRaySeen>& seen)
 {
-  const bool counts = !buffer.GetQuantity().empty();
   const bool textured = frame.Parts[part].Light.Emission != nullptr;
   const float width = static_cast<float>(buffer.GetWidth());
   const float height = static_cast<float>(buffer.GetHeight());
@@ -143,8 +197,7 @@ void vtkAdaptiveRayTracedShadowTechnique::Scatter(vtkShadowFrame& frame,
   {
     const int x = receivers[i].Pixel % buffer.GetWidth();
     const int y = receivers[i].Pixel / buffer.GetWidth();
-    const glm::vec3 value =
-      counts ? glm::vec3(static_cast<float>(seen[i].Samples)) : seen[i].GetVisibility(textured);
+    const glm::vec3 value = GetValue(buffer, seen[i], textured);
     values.insert(values.end(),
       { (2.0f * static_cast<float>(x) + 1.0f) / width - 1.0f,
         (2.0f * static_cast<float>(y) + 1.0f) / height - 1.0f, value.x, value.y, value.z });
@@ -178,5 +231,7 @@ void vtkAdaptiveRayTracedShadowTechnique::Release(vtkOpenGLRenderWindow* window)
     selection.Release();
   }
   this->Values.Release();
+  std::vector<float>().swap(this->Known);
+  std::vector<vtkShadowSelection::Pixel>().swap(this->Chosen);
   this->vtkRayTracedShadowTechnique::Release(window);
 }

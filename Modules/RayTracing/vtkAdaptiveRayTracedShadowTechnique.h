@@ -30,13 +30,26 @@ public:
   void Release(vtkOpenGLRenderWindow* window) override;
 
 private:
+  ///@{ Find what is open of a part of a light: on the GPU, which goes on by itself; or here, among all pixels.
   void Select(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, std::size_t part);
+  const std::vector<vtkShadowSelection::Pixel>& Choose(
+    vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, std::size_t part);
+  ///@}
+  ///@{ Give the buffer what was traced: as points; or as a picture, with all that was known.
   void Scatter(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, std::size_t part,
     const Receivers& receivers, const std::vector<vtkShadowRaySeen>& seen);
+  void PutBack(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, std::size_t part,
+    const Receivers& receivers, const std::vector<vtkShadowRaySeen>& seen);
+  ///@}
 
   vtkShadowDepthBounds Bounds;
   std::array<vtkShadowSelection, 2> Selections; // of a part of a light, and of the next one
   vtkShadowVertices Values;
+  ///@{ Of all pixels, where they are not chosen on the GPU.
+  const std::vector<glm::vec4>* Texels = nullptr; // those of the receivers
+  std::vector<float> Known;
+  std::vector<vtkShadowSelection::Pixel> Chosen;
+  ///@}
 };
 
 #endif

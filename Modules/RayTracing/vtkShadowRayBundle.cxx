@@ -29,10 +29,14 @@ vtkShadowRayBundle::vtkShadowRayBundle(const vtkShadowLight& light, const glm::d
   glm::dvec3 v = light.V;
   if (light.Kind == vtkShadowLight::Shape::Sphere)
   {
-    // Map gives the disk that faces the receiver; its axes are two of its points.
-    const glm::dvec3 position = receiver.Position + (light.Position - place);
-    u = light.Map({ 1.0, 0.5 }, position) - light.Position;
-    v = light.Map({ 0.5, 1.0 }, position) - light.Position;
+    // The disk that faces the receiver, as vtkShadowLight::Map has it.
+    const glm::dvec3 axis = receiver.Position - place;
+    const double distance = glm::length(axis);
+    const double radius = distance > 0.0 ? glm::length(light.U) : 0.0;
+    const glm::dvec3 along = distance > 0.0 ? axis / distance : glm::dvec3(0.0, 0.0, 1.0);
+    const glm::dvec3 across = vtkShadowLight::Perpendicular(along);
+    u = radius * across;
+    v = radius * glm::cross(along, across);
   }
   if (light.Kind != vtkShadowLight::Shape::Rectangle)
   {

@@ -142,6 +142,11 @@ class Report(BenchTest):
                 self.assertGreaterEqual(figures["frames"], 3)
                 self.assertLessEqual(figures["lower"], figures["median"])
                 self.assertLessEqual(figures["median"], figures["upper"])
+        # Rays are told of what traces some.
+        for entry in measured(self.case):
+            traces = entry["technique"].startswith("ray-")
+            self.assertEqual(entry["megarays_per_second"] is not None, traces, entry["id"])
+            self.assertTrue(not traces or entry["megarays_per_second"] > 0.0)
         kinds = {entry["technique"]: entry["kind"] for entry in self.candidates()}
         self.assertEqual(kinds["vtkShadowMapPass"], "peer")
         self.assertEqual(kinds["map-hard"], "technique")
@@ -157,6 +162,7 @@ class Report(BenchTest):
                        "maximum": entry["error"]["maximum"],
                        "correctness_percent": entry["picture"]["correctness_percent"],
                        "psnr_db": entry["picture"]["psnr_db"],
+                       "megarays_per_second": entry["megarays_per_second"],
                        "build_ms": entry["time"]["build_milliseconds"]}
             for kind in TIMES:
                 figures[kind + "_ms"] = entry["time"][kind]["median"]

@@ -80,17 +80,21 @@ SHADOW_TEST(AdaptiveRays, AreAsAllRays, Once)
     ShadowStage stage(300, 300);
     stage.AddThings();
     stage.AddLight(kind);
-    const auto see = [&](const char* name, const char* samples)
+    const auto see = [&](const char* name, const char* samples, const char* selection = "gpu")
     {
-      stage.SetPass(name, { { "samples", samples }, { "terminator", "facets" } });
+      stage.SetPass(
+        name, { { "samples", samples }, { "selection", selection }, { "terminator", "facets" } });
       stage.Render();
       return stage.GetVisibility();
     };
     const std::string what = GetName(kind);
     const Visibility all = see("ray-traced", "64");
     const double rays = stage.Count("rays");
-    CheckAsAllRays(all, see("ray-adaptive", "64"), 64, what);
+    const Visibility few = see("ray-adaptive", "64");
+    CheckAsAllRays(all, few, 64, what);
     ShadowTest::CheckAtMost(stage.Count("rays"), 0.5 * rays, what + ": rays");
+    ShadowTest::Check(
+      Same(few, see("ray-adaptive", "64", "cpu")), what + ": pixels that are chosen on the CPU");
     const Visibility four = see("ray-traced", "4");
     ShadowTest::Check(Same(four, see("ray-adaptive", "4")),
       what + ": pixels that are not traced see all of the light, those of four rays are the same");

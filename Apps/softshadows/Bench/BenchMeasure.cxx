@@ -88,6 +88,7 @@ struct Contestant
   Json Error;
   Json Picture;
   Json Bytes;
+  std::vector<double> Megarays; // a second, of a frame each
   Image Frame;
   Image Difference;
   Times Static;  // the camera moved
@@ -107,7 +108,7 @@ public:
   void DrawReference();
   void MeasureError(Contestant& contestant);
   void MeasureErrors(double seconds, RemainingTime& remaining);
-  void ReadBytes(Contestant& contestant);
+  void ReadStatistics(Contestant& contestant);
   void Compare(Contestant& contestant, vtkImageData* visibility);
   void TimeUnshadowed();
   void Time(Contestant& contestant);
@@ -237,7 +238,7 @@ void BenchMeasure::Internals::MeasureError(Contestant& contestant)
     this->Enter(contestant);
     window.Render();
     contestant.Frame = References::Copy(window.Grab());
-    this->ReadBytes(contestant);
+    this->ReadStatistics(contestant);
     vtkImageData* right = this->Truth.Visibility;
     this->Compare(contestant, contestant.VTK ? contestant.VTK->GetVisibility(window, right)
                                              : References::GetVisibility(contestant.Pass,
@@ -251,11 +252,17 @@ void BenchMeasure::Internals::MeasureError(Contestant& contestant)
 }
 
 //------------------------------------------------------------------------------
-void BenchMeasure::Internals::ReadBytes(Contestant& contestant)
+void BenchMeasure::Internals::ReadStatistics(Contestant& contestant)
 {
-  if (contestant.Pass && contestant.Bytes.is_null())
+  if (contestant.Pass)
   {
-    contestant.Bytes = Json::parse(contestant.Pass->GetStatistics())["bytes"];
+    const Json statistics = Json::parse(contestant.Pass->GetStatistics());
+    contestant.Bytes = contestant.Bytes.is_null() ? statistics["bytes"] : contestant.Bytes;
+    const Json& counts = statistics["counts"];
+    if (counts.contains("megaraysPerSecond"))
+    {
+      contestant.Megarays.push_back(counts["megaraysPerSecond"]);
+    }
   }
 }
 
@@ -322,7 +329,7 @@ void BenchMeasure::Internals::Time(Contestant& contestant)
   {
     this->Enter(contestant);
     const double settled = window.Render();
-    this->ReadBytes(contestant);
+    this->ReadStatistics(contestant);
     double timed = 0.0;
     for (int i = 0; i < mostFrames && timed <= settled && this->Needs(contestant); ++i)
     {
@@ -435,6 +442,11 @@ Json BenchMeasure::Internals::GetJSON(const Contestant& contestant) const
     json["bytes"] = contestant.Bytes["total"];
     json["bytes_by_name"] = contestant.Bytes;
     json["bytes_by_name"].erase("total");
+  }
+  json["megarays_per_second"] = nullptr;
+  if (!contestant.Megarays.empty())
+  {
+    json["megarays_per_second"] = Statistics::GetMedian(contestant.Megarays);
   }
   return json;
 }

@@ -242,7 +242,7 @@ Json GetCase(const Json& results, const Json& oneCase, const std::vector<BenchPi
   SetRows(page, "published", BenchTables::GetPublished(oneCase));
   const bool graded = Find(oneCase, { "reference" }).is_object();
   page["graded"] = graded;
-  page["columns"] = graded ? 13 : 6;
+  page["columns"] = graded ? 14 : 7;
   page["has_advice"] =
     page["advice"] != "" || page["has_under_error"] == true || page["has_under_time"] == true;
   return page;

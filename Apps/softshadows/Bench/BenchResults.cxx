@@ -78,7 +78,8 @@ constexpr Column Columns[] = { { "technique", "/technique" }, { "kind", "/kind" 
   { "dynamic_added_lower_ms", "/time/dynamic/added/lower" },
   { "dynamic_added_upper_ms", "/time/dynamic/added/upper" },
   { "dynamic_ratio", "/time/dynamic/ratio" }, { "build_ms", "/time/build_milliseconds" },
-  { "bytes", "/bytes" }, { "skipped", "/skipped" } };
+  { "bytes", "/bytes" }, { "megarays_per_second", "/megarays_per_second" },
+  { "skipped", "/skipped" } };
 
 std::string GetCell(const nlohmann::ordered_json& entry, const char* pointer)
 {

@@ -204,7 +204,8 @@ Json GetEntries(const Json& oneCase, double framesWanted)
         { "static", GetTime(entry, "static", framesWanted) },
         { "dynamic", GetTime(entry, "dynamic", framesWanted) },
         { "build", WriteMilliseconds(FindNumber(entry, { "time", "build_milliseconds" })) },
-        { "bytes", WriteBytes(FindNumber(entry, { "bytes" })) } });
+        { "bytes", WriteBytes(FindNumber(entry, { "bytes" })) },
+        { "megarays", WriteShort(FindNumber(entry, { "megarays_per_second" })) } });
   }
   return rows;
 }

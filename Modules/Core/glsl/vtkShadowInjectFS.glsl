@@ -18,18 +18,16 @@ vec3 shadowGeometricNormal(vec3 dx, vec3 dy)
 uniform bool shadowReceives; // this prop receives
 uniform float shadowReceiverScale; // the square of the prop's rounding, a power of two
 
-// A receiver's normal and its prop's rounding in one float: octahedral map of the unit normal to 2 x 12
-// bits, 23 of them the mantissa, the last one and the rounding the exponent. 0 stays free for "no
-// receiver", the sign for a flag. vtkShadowReceiversFS.glsl and vtkShadowReceiver::Unpack read it.
-float shadowPackReceiver(vec3 normal)
+// A receiver's normal, its prop's rounding and which side is seen in one float: octahedral map of the unit
+// normal to 12 and 11 bits, the mantissa; the rounding and, its last bit, the back, the exponent. 0 stays free
+// for "no receiver", the sign for a flag. vtkShadowReceiversFS.glsl and vtkShadowReceiver::Unpack read it.
+float shadowPackReceiver(vec3 normal, bool back)
 {
   vec2 p = normal.xy / (abs(normal.x) + abs(normal.y) + abs(normal.z));
   vec2 signs = vec2(p.x >= 0.0 ? 1.0 : -1.0, p.y >= 0.0 ? 1.0 : -1.0);
   p = normal.z < 0.0 ? (1.0 - abs(p.yx)) * signs : p;
-  vec2 bits = floor((0.5 * p + 0.5) * 4095.0 + 0.5);
-  float last = bits.y >= 2048.0 ? 1.0 : 0.0;
-  float rest = bits.x + 4096.0 * (bits.y - 2048.0 * last);
-  return (1.0 + rest / 8388608.0) * shadowReceiverScale * (1.0 + last);
+  vec2 bits = floor((0.5 * p + 0.5) * vec2(4095.0, 2047.0) + 0.5);
+  return (1.0 + (bits.x + 4096.0 * bits.y) / 8388608.0) * shadowReceiverScale * (back ? 2.0 : 1.0);
 }
 #ifdef SHADOW_BUFFER
 uniform bool shadowWritesReceivers; // this draw fills the receivers' buffer; else it shades

@@ -18,7 +18,7 @@ const float shadowShare = 1.0;
 
 void main()
 {
-  vec4 receiverVC = texelFetch(shadowReceivers, ivec3(gl_FragCoord.xy, 0), 0);
+  vec4 receiverVC = shadowFetchReceiver(shadowReceivers, ivec2(gl_FragCoord.xy));
   SHADOW_VISIBILITY visibility = SHADOW_VISIBILITY(1.0);
   if (shadowIsReceiver(receiverVC))
   {

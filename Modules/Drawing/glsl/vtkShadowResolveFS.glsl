@@ -15,7 +15,7 @@ uniform bool shadowMost; // the upper bound; else the lower one
 
 void main()
 {
-  vec4 receiverVC = texelFetch(shadowReceivers, ivec3(gl_FragCoord.xy, 0), 0);
+  vec4 receiverVC = shadowFetchReceiver(shadowReceivers, ivec2(gl_FragCoord.xy));
   bool receives = shadowIsReceiver(receiverVC);
   shadowSelf = receiverVC.w > 0.0;
   bool away = receives && shadowFacesAway(shadowLight, receiverVC.xyz,

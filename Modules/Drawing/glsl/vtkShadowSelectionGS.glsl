@@ -25,7 +25,7 @@ void main()
   for (int pixel = firstPixel[0]; pixel < end; ++pixel)
   {
     shadowSelectPixel = ivec2(pixel % size.x, pixel / size.x);
-    vec4 texel = texelFetch(shadowReceivers, ivec3(shadowSelectPixel, 0), 0);
+    vec4 texel = shadowFetchReceiver(shadowReceivers, shadowSelectPixel);
     if (shadowIsReceiver(texel) && shadowSelect(texel))
     {
       selectedTexel = texel;

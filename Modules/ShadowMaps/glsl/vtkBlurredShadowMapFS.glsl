@@ -107,7 +107,7 @@ void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   ivec2 last = textureSize(shadowMask, 0).xy - 1;
-  vec4 receiverVC = texelFetch(shadowReceivers, ivec3(pixel, 0), 0);
+  vec4 receiverVC = shadowFetchReceiver(shadowReceivers, pixel);
   float sum = texelFetch(shadowMask, ivec3(pixel, 0), 0).r;
   float total = 1.0;
   float deviation =
@@ -147,7 +147,7 @@ void main()
 #ifdef SHADOW_PLAIN
         float weight = exp(-0.5 * float(i * i) / (0.25 * float(shadowTaps * shadowTaps)));
 #else
-        vec4 tapVC = texelFetch(shadowReceivers, ivec3(tap, 0), 0);
+        vec4 tapVC = shadowFetchReceiver(shadowReceivers, tap);
         vec3 apartVC = tapVC.xyz - receiverVC.xyz;
         vec2 st = (toLight * apartVC).xy / deviation;
         float off = dot(normalVC, apartVC) / thickness;

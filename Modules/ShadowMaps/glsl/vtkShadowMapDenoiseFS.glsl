@@ -27,7 +27,7 @@ void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   ivec2 last = textureSize(shadowMask, 0).xy - 1;
-  vec4 receiverVC = texelFetch(shadowReceivers, ivec3(pixel, 0), 0);
+  vec4 receiverVC = shadowFetchReceiver(shadowReceivers, pixel);
   bool sure;
   vec3 own = shadowFetchMask(pixel, sure);
   vec3 sum = own;
@@ -41,7 +41,7 @@ void main()
       for (int x = -2; x <= 2; ++x)
       {
         ivec2 at = pixel + ivec2(x, y);
-        vec4 otherVC = texelFetch(shadowReceivers, ivec3(clamp(at, ivec2(0), last), 0), 0);
+        vec4 otherVC = shadowFetchReceiver(shadowReceivers, clamp(at, ivec2(0), last));
         bool otherIsSure;
         vec3 other = shadowFetchMask(clamp(at, ivec2(0), last), otherIsSure);
         vec3 otherNormalVC = shadowUnpackReceiver(otherVC.w).normalVC;

@@ -19,7 +19,7 @@ uniform vec3 shadowShare;
 
 void main()
 {
-  vec4 receiverVC = texelFetch(shadowReceivers, ivec3(gl_FragCoord.xy, 0), 0);
+  vec4 receiverVC = shadowFetchReceiver(shadowReceivers, ivec2(gl_FragCoord.xy));
   if (!shadowIsReceiver(receiverVC))
   {
     discard;

@@ -47,7 +47,7 @@ vec4 shadowCountCrossings(int first, vec2 from, vec2 to, vec3 line, bool behind)
 
 void main()
 {
-  vec4 receiverVC = texelFetch(shadowReceivers, ivec3(gl_FragCoord.xy, 0), 0);
+  vec4 receiverVC = shadowFetchReceiver(shadowReceivers, ivec2(gl_FragCoord.xy));
   shadowSelf = receiverVC.w > 0.0;
   shadowReceiver receiver = shadowUnpackReceiver(receiverVC.w);
   if (!shadowIsReceiver(receiverVC)

@@ -18,7 +18,7 @@ void main()
 {
   vec2 others = texelFetch(shadowLoops, ivec3(gl_FragCoord.xy, shadowChannel), 0).xy;
 #ifndef SHADOW_COPY
-  vec4 receiverVC = texelFetch(shadowReceivers, ivec3(gl_FragCoord.xy, 0), 0);
+  vec4 receiverVC = shadowFetchReceiver(shadowReceivers, ivec2(gl_FragCoord.xy));
   vec4 all = texelFetch(shadowSums, ivec3(gl_FragCoord.xy, 0), 0);
   vec2 sums = vec2(all.x, all[1 + shadowChannel]);
   if (shadowIsReceiver(receiverVC) && sums != vec2(0.0))

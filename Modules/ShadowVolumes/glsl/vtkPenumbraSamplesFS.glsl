@@ -57,7 +57,7 @@ vec3 shadowAddHidden(sampler2DArray counts, int target)
 
 void main()
 {
-  vec4 receiverVC = texelFetch(shadowReceivers, ivec3(gl_FragCoord.xy, 0), 0);
+  vec4 receiverVC = shadowFetchReceiver(shadowReceivers, ivec2(gl_FragCoord.xy));
   if (!shadowIsReceiver(receiverVC))
   {
     discard;

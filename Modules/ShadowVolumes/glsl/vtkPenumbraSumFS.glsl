@@ -17,7 +17,7 @@ uniform int shadowLight;
 
 void main()
 {
-  vec4 receiverVC = texelFetch(shadowReceivers, ivec3(gl_FragCoord.xy, 0), 0);
+  vec4 receiverVC = shadowFetchReceiver(shadowReceivers, ivec2(gl_FragCoord.xy));
   shadowSelf = receiverVC.w > 0.0;
   vec3 normalVC = shadowUnpackReceiver(receiverVC.w).normalVC;
   bool receives = shadowIsReceiver(receiverVC);

@@ -174,7 +174,7 @@ void main()
 {
   shadowKernel = vec4(0.0);
   shadowRequest = vec4(0.0);
-  vec4 receiverVC = texelFetch(shadowReceivers, ivec3(gl_FragCoord.xy, 0), 0);
+  vec4 receiverVC = shadowFetchReceiver(shadowReceivers, ivec2(gl_FragCoord.xy));
   if (!shadowIsReceiver(receiverVC))
   {
     return;

@@ -110,7 +110,7 @@ void main()
   if (code > 0.5)
   {
     vec4 kernel = texelFetch(shadowKernels, ivec3(gl_FragCoord.xy, 0), 0);
-    vec4 receiverVC = texelFetch(shadowReceivers, ivec3(gl_FragCoord.xy, 0), 0);
+    vec4 receiverVC = shadowFetchReceiver(shadowReceivers, ivec2(gl_FragCoord.xy));
     shadowReceiver receiver = shadowUnpackReceiver(receiverVC.w);
     shadowPropRounding = receiver.rounding;
     shadowSelf = receiverVC.w > 0.0;
