@@ -2,22 +2,21 @@
 #include "vtkCombinedShadowMapTechnique.h"
 
 #include "vtkCombinedShadowMapFS.h"
-#include "vtkShadowFrame.h"
 #include "vtkShadowMapFilterFS.h"
 #include "vtkShadowMapJitterFS.h"
-#include "vtkShadowMapPattern.h"
+#include "vtkShadowMapLayersFS.h"
 #include "vtkShadowMapSearchFS.h"
 
 //------------------------------------------------------------------------------
 void vtkCombinedShadowMapTechnique::UpdatePatterns(vtkShadowFrame& frame)
 {
   vtkJitteredShadowMapTechnique::UpdatePatterns(frame);
-  this->Search->SetSobol(frame.Window, this->Settings.GetInteger("search"), true);
+  this->UpdateSearch(frame);
 }
 
 //------------------------------------------------------------------------------
 std::string vtkCombinedShadowMapTechnique::GetFilterGLSL()
 {
-  return std::string(vtkShadowMapFilterFS) + vtkShadowMapSearchFS + vtkShadowMapJitterFS +
-         vtkCombinedShadowMapFS;
+  return std::string(vtkShadowMapFilterFS) + vtkShadowMapLayersFS + vtkShadowMapSearchFS +
+         vtkShadowMapJitterFS + vtkCombinedShadowMapFS;
 }

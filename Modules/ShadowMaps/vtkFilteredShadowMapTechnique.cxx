@@ -114,7 +114,8 @@ std::string vtkFilteredShadowMapTechnique::GetVisibilityGLSL()
   }
   const bool skipping = this->Settings.GetBoolean("skipping");
   return this->Maps->GetGLSL() + (skipping ? "#define SHADOW_SKIPPING\n" : "") +
-         this->GetKernelDefinitions() + vtkShadowMapKernelFS + this->GetFilterGLSL();
+         (this->HasLayers() ? "#define SHADOW_LAYERS\n" : "") + this->GetKernelDefinitions() +
+         vtkShadowMapKernelFS + this->GetFilterGLSL();
 }
 
 //------------------------------------------------------------------------------
@@ -146,9 +147,35 @@ void vtkFilteredShadowMapTechnique::SetVisibilityParameters(vtkShaderProgram* pr
   {
     program->SetUniformi("shadowSearch", this->Search->GetTexture().GetUnit());
     program->SetUniformi("shadowSearchCount", this->Search->GetCount());
+    program->SetUniformi("shadowSearchFurther", this->Search->GetFurther());
     program->SetUniformi("shadowPattern", this->Filter->GetTexture().GetUnit());
     program->SetUniformi("shadowPatternCount", this->Filter->GetCount());
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkFilteredShadowMapTechnique::HasLayers() const
+{
+  return this->Settings.Has("blockers") && this->Settings.GetChoice("blockers") == "layers";
+}
+
+//------------------------------------------------------------------------------
+void vtkFilteredShadowMapTechnique::UpdateSearch(vtkShadowFrame& frame)
+{
+  const int count = this->Settings.GetInteger("search");
+  if (this->HasLayers())
+  {
+    this->Search->SetSearch(frame.Window, count, this->Settings.GetInteger("samples"));
+    return;
+  }
+  this->Search->SetSobol(frame.Window, count, true);
+}
+
+//------------------------------------------------------------------------------
+int vtkFilteredShadowMapTechnique::GetLookUps() const
+{
+  constexpr int ofLayers = 3;
+  return this->HasLayers() ? ofLayers : 1;
 }
 
 //------------------------------------------------------------------------------
@@ -156,7 +183,8 @@ double vtkFilteredShadowMapTechnique::GetMaximumCost()
 {
   constexpr int pyramid = 8;
   return this->Hard ? vtkDepthMapTechnique::GetMaximumCost()
-                    : this->Search->GetCount() + this->Filter->GetCount() + pyramid;
+                    : this->Search->GetCount() + this->Search->GetFurther() +
+                        this->GetLookUps() * this->Filter->GetCount() + pyramid;
 }
 
 //------------------------------------------------------------------------------

@@ -57,6 +57,12 @@ protected:
   /** Not one mean blocker for all that hides a light. */
   virtual bool FollowsLayers() const { return false; }
   void SetMapSettings(vtkShadowMapSettings& settings) override;
+  /** Two depths of blockers are told apart: parameter "blockers", of techniques that search some. */
+  bool HasLayers() const;
+  /** The pattern of the search, by that and the parameters "search" and "samples". */
+  void UpdateSearch(vtkShadowFrame& frame);
+  /** At most so many for a point of the light. */
+  int GetLookUps() const;
 
   bool Hard = false;                           // no light of this frame has a size
   std::unique_ptr<vtkShadowMapPattern> Search; // of blockers

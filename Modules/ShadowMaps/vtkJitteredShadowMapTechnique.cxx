@@ -9,6 +9,7 @@
 #include "vtkShadowMapConstantFS.h"
 #include "vtkShadowMapFilterFS.h"
 #include "vtkShadowMapJitterFS.h"
+#include "vtkShadowMapLayersFS.h"
 #include "vtkShadowSampling.h"
 
 #include <glm/gtc/constants.hpp>
@@ -95,8 +96,8 @@ void vtkJitteredShadowMapTechnique::UpdatePatterns(vtkShadowFrame& frame)
 //------------------------------------------------------------------------------
 std::string vtkJitteredShadowMapTechnique::GetFilterGLSL()
 {
-  return std::string(vtkShadowMapFilterFS) + vtkShadowMapConstantFS + vtkShadowMapJitterFS +
-         vtkJitteredShadowMapFS;
+  return std::string(vtkShadowMapFilterFS) + vtkShadowMapLayersFS + vtkShadowMapConstantFS +
+         vtkShadowMapJitterFS + vtkJitteredShadowMapFS;
 }
 
 //------------------------------------------------------------------------------
@@ -131,7 +132,8 @@ void vtkJitteredShadowMapTechnique::SetVisibilityParameters(vtkShaderProgram* pr
 //------------------------------------------------------------------------------
 double vtkJitteredShadowMapTechnique::GetMaximumCost()
 {
-  return vtkFilteredShadowMapTechnique::GetMaximumCost() + (this->Hard ? 0 : this->Samples);
+  return vtkFilteredShadowMapTechnique::GetMaximumCost() +
+         (this->Hard ? 0 : this->GetLookUps() * this->Samples);
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 #include "vtkShadowFrame.h"
 #include "vtkShadowMapConstantFS.h"
 #include "vtkShadowMapFilterFS.h"
+#include "vtkShadowMapLayersFS.h"
 #include "vtkShadowMapPattern.h"
 #include "vtkShadowMapPatternFS.h"
 
@@ -17,6 +18,6 @@ void vtkPercentageCloserFilteringTechnique::UpdatePatterns(vtkShadowFrame& frame
 //------------------------------------------------------------------------------
 std::string vtkPercentageCloserFilteringTechnique::GetFilterGLSL()
 {
-  return std::string(vtkShadowMapFilterFS) + vtkShadowMapConstantFS + vtkShadowMapPatternFS +
-         vtkPercentageCloserFilteringFS;
+  return std::string(vtkShadowMapFilterFS) + vtkShadowMapLayersFS + vtkShadowMapConstantFS +
+         vtkShadowMapPatternFS + vtkPercentageCloserFilteringFS;
 }

@@ -8,6 +8,10 @@
  * nearest depth that the map has there; 2. the penumbra's width from the mean blocker; 3. a mean of
  * compares over the light's footprint past that blocker, in the light's own form and two axes.
  *
+ * With "blockers" (layers by default, or mean as published) layers, the mean, the variance and the skewness of
+ * what was found give two depths where they vary, and 3. is a mean over points of the light of what is lit
+ * past both: see vtkShadowMapLayersFS.glsl. Where 1. finds nothing, it looks at "samples" points more.
+ *
  * Stages and textures: see vtkFilteredShadowMapTechnique.
  */
 

@@ -4,6 +4,7 @@
 #include "vtkPercentageCloserSoftShadowFS.h"
 #include "vtkShadowFrame.h"
 #include "vtkShadowMapFilterFS.h"
+#include "vtkShadowMapLayersFS.h"
 #include "vtkShadowMapPattern.h"
 #include "vtkShadowMapPatternFS.h"
 #include "vtkShadowMapSearchFS.h"
@@ -11,13 +12,13 @@
 //------------------------------------------------------------------------------
 void vtkPercentageCloserSoftShadowTechnique::UpdatePatterns(vtkShadowFrame& frame)
 {
-  this->Search->SetSobol(frame.Window, this->Settings.GetInteger("search"), true);
+  this->UpdateSearch(frame);
   this->Filter->SetSobol(frame.Window, this->Settings.GetInteger("samples"), false);
 }
 
 //------------------------------------------------------------------------------
 std::string vtkPercentageCloserSoftShadowTechnique::GetFilterGLSL()
 {
-  return std::string(vtkShadowMapFilterFS) + vtkShadowMapSearchFS + vtkShadowMapPatternFS +
-         vtkPercentageCloserSoftShadowFS;
+  return std::string(vtkShadowMapFilterFS) + vtkShadowMapLayersFS + vtkShadowMapSearchFS +
+         vtkShadowMapPatternFS + vtkPercentageCloserSoftShadowFS;
 }

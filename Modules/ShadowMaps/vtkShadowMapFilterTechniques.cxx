@@ -43,6 +43,14 @@ vtkShadowParameter Search(int value)
     .AtPreview(6);
 }
 
+vtkShadowParameter Blockers()
+{
+  return vtkShadowParameter::Choice("blockers", "layers", { "layers", "mean" },
+    "Tell apart blockers at two depths, and search finer where none are found; or, as published, "
+    "take all for "
+    "one in their middle");
+}
+
 vtkShadowParameter Samples(int value, const std::vector<double>& presets)
 {
   return vtkShadowParameter::Integer(
@@ -96,8 +104,9 @@ vtkShadowDeclaration Make(
 
 constexpr const char* Constant =
   "Penumbrae are as wide at contacts as far from them, and do not follow the blocker.";
-constexpr const char* OneBlocker =
-  "Blockers at several depths over a receiver count as one in their middle.";
+constexpr const char* TwoLayers = "Blockers at more than two depths over a receiver count as two; "
+                                  "what is hidden behind others counts as likely "
+                                  "as what shows beside.";
 
 vtkShadowDeclaration Filtering()
 {
@@ -155,9 +164,10 @@ vtkShadowDeclaration SoftShadows()
     "map-pcss", "Percentage-closer soft shadows", "vtkPercentageCloserSoftShadowPass", true);
   t.Paper = "Fernando, Percentage-closer soft shadows, SIGGRAPH 2005 sketches; Zapotocky, Soft "
             "shadows on GPU, 2007, section 3.5";
+  t.Parameters.push_back(Blockers());
   t.Parameters.push_back(Search(25));
   t.Parameters.push_back(Samples(64, { 16, 32, 64, 256 }));
-  t.Limits.insert(t.Limits.end(), { OneBlocker });
+  t.Limits.insert(t.Limits.end(), { TwoLayers });
   return t;
 }
 
@@ -166,11 +176,12 @@ vtkShadowDeclaration Combined()
   auto t = Make<vtkCombinedShadowMapTechnique, vtkCombinedShadowMapPass>("map-combined",
     "Combined: blocker search and jittered filtering", "vtkCombinedShadowMapPass", true);
   t.Paper = "Zapotocky, Soft shadows on GPU, 2007, section 4.4.3";
+  t.Parameters.push_back(Blockers());
   t.Parameters.push_back(Search(16));
   t.Parameters.push_back(JitteredSamples(32, { 16, 32, 32, 256 }));
   t.Resources.push_back("jittered points, 16 bytes, 256 x samples");
   t.Limits.insert(t.Limits.end(),
-    { OneBlocker, "Noise instead of steps; a thin shadow that the outer ring misses is missed." });
+    { TwoLayers, "Noise instead of steps; a thin shadow that the outer ring misses is missed." });
   return t;
 }
 

@@ -20,14 +20,24 @@ public:
   void SetGrid(vtkOpenGLRenderWindow* window, int n, double scale = 1.0);
   /** Sobol's points over disk and square (see vtkShadowSampling), the first in the centre if wanted. */
   void SetSobol(vtkOpenGLRenderWindow* window, int count, bool centre);
+  /**
+   * So many of Sobol's points for a search, the first in the centre and the others the denser the nearer
+   * they are to it: as many within each distance as in proportion to that. Behind them, not counted,
+   * further ones that are spread evenly.
+   */
+  void SetSearch(vtkOpenGLRenderWindow* window, int count, int further);
 
   vtkShadowTexture& GetTexture() { return this->Points; }
   const std::vector<glm::vec4>& GetPoints() const { return this->Values; }
-  int GetCount() const { return static_cast<int>(this->Values.size()); }
+  int GetCount() const { return static_cast<int>(this->Values.size()) - this->Further; }
+  int GetFurther() const { return this->Further; }
 
 private:
+  void Set(vtkOpenGLRenderWindow* window, std::vector<glm::vec4> points, int further = 0);
+
   vtkShadowTexture Points;
   std::vector<glm::vec4> Values;
+  int Further = 0; // of the values
 };
 
 #endif

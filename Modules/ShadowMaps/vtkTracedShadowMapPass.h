@@ -12,9 +12,9 @@
  * In a map's space a ray is a straight line along which the depth falls linearly. It is hidden where it
  * crosses the first layer, which is a piece of a plane in each texel, and within the body behind it, which
  * ends where its prop next shows its other side. Behind bodies rays go on; where one comes out and
- * the surface that shows there lies in front of where it went behind, that surface is taken to go on
+ * the surface that shows there lies in front of where it went behind, its plane too, that surface is taken to go on
  * behind the body, and the ray is hidden. A receiver's own plane hides nothing from it: there is no
- * bias but a hair of its rise within a texel.
+ * bias but a quarter of its rise within a texel, for folds.
  *
  * Stages: 1. a map where light or casters changed, its slabs (see vtkShadowMapSlabs) and their pyramid;
  * 2. receivers; 3. N rays a pixel, none where the pyramid tells that all find the same; 4. with denoise=on

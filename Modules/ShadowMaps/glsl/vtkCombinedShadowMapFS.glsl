@@ -3,7 +3,7 @@
 
 float shadowFilter(int view, shadowKernel kernel)
 {
-  float delta;
-  float found = shadowFindBlockers(view, kernel, delta);
-  return shadowJitteredAverage(kernel, delta, found);
+  shadowLayers layers;
+  float found = shadowFindBlockers(view, kernel, layers);
+  return shadowJitteredAverage(kernel, layers, found);
 }

@@ -4,5 +4,6 @@
 float shadowFilter(int view, shadowKernel kernel)
 {
   float delta = shadowAssumedDelta(kernel);
-  return shadowJitteredAverage(kernel, delta, shadowFindConstant(view, kernel, delta));
+  return shadowJitteredAverage(
+    kernel, shadowOneLayer(kernel, delta), shadowFindConstant(view, kernel, delta));
 }

@@ -4,6 +4,6 @@
 float shadowFilter(int view, shadowKernel kernel)
 {
   float delta = shadowAssumedDelta(kernel);
-  return shadowAverage(
-    kernel, delta, shadowFindConstant(view, kernel, delta), shadowPatternCount);
+  return shadowAverage(kernel, shadowOneLayer(kernel, delta),
+    shadowFindConstant(view, kernel, delta), shadowPatternCount);
 }

@@ -3,8 +3,8 @@
 
 float shadowFilter(int view, shadowKernel kernel)
 {
-  float delta;
-  float found = shadowFindBlockers(view, kernel, delta);
-  vec2 extent = shadowExtent(kernel, shadowReach(kernel, delta));
-  return shadowAverage(kernel, delta, found, shadowCount(kernel, extent, shadowPatternCount));
+  shadowLayers layers;
+  float found = shadowFindBlockers(view, kernel, layers);
+  vec2 extent = shadowExtent(kernel, max(layers.reach, layers.farReach));
+  return shadowAverage(kernel, layers, found, shadowCount(kernel, extent, shadowPatternCount));
 }

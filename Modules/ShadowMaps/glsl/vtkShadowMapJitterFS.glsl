@@ -10,41 +10,39 @@ const int shadowJitterTile = 16;
 uniform int shadowJitterPairs;    // of either
 uniform int shadowEstimatePairs;
 
-float shadowLookUpPairs(
-  shadowKernel kernel, float reference, float reach, int texel, int first, int count)
+void shadowTakePairs(
+  shadowKernel kernel, shadowLayers layers, int texel, int first, int count, inout vec4 sums)
 {
   int pair0 = first + (kernel.square ? shadowJitterPairs : 0);
   int at = texel + pair0 * shadowJitterTile * shadowJitterTile;
-  float lit = 0.0;
   for (int i = 0; i < count; ++i)
   {
     vec4 pair = texelFetch(shadowJitter, at);
     at += shadowJitterTile * shadowJitterTile;
-    lit += shadowLookUp(kernel, reference, reach, pair.xy);
-    lit += shadowLookUp(kernel, reference, reach, pair.zw);
+    shadowTake(kernel, layers, pair.xy, sums);
+    shadowTake(kernel, layers, pair.zw, sums);
   }
-  shadowCost += 2.0 * float(count);
-  return lit;
 }
 
 // `found` as shadowClassify gives it.
-float shadowJitteredAverage(shadowKernel kernel, float delta, float found)
+float shadowJitteredAverage(shadowKernel kernel, shadowLayers layers, float found)
 {
-  float reach = shadowReach(kernel, delta);
-  float reference = shadowReference(kernel, shadowExtent(kernel, reach));
   ivec2 place = SHADOW_PIXEL & (shadowJitterTile - 1); // a power of two
   int texel = place.x + shadowJitterTile * place.y;
-  int pairs = (shadowCount(kernel, shadowExtent(kernel, reach), 2 * shadowJitterPairs) + 1) / 2;
+  vec2 extent = shadowExtent(kernel, max(layers.reach, layers.farReach));
+  int pairs = (shadowCount(kernel, extent, 2 * shadowJitterPairs) + 1) / 2;
   int estimate = min(pairs, shadowEstimatePairs);
-  float lit =
-    shadowLookUpPairs(kernel, reference, reach, texel, 0, found < 0.0 ? estimate : 0);
+  vec4 sums = vec4(0.0);
+  shadowTakePairs(kernel, layers, texel, 0, found < 0.0 ? estimate : 0, sums);
   // The horizon is a light's edge that the ring may miss; where it cuts, the estimate is not enough.
   float most = 2.0 * float(estimate);
+  float lit = shadowGetLit(sums);
   bool agree = (lit == 0.0 || lit == most) && !kernel.horizonCuts;
   bool all = found < 0.0 && !agree;
   // All or the ring alone: rings have to be whole.
   all = all && pairs > estimate;
-  lit += shadowLookUpPairs(kernel, reference, reach, texel, estimate,
-    all ? shadowJitterPairs - estimate : 0);
+  shadowTakePairs(
+    kernel, layers, texel, estimate, all ? shadowJitterPairs - estimate : 0, sums);
+  lit = shadowGetLit(sums);
   return found < 0.0 ? lit / (all ? 2.0 * float(shadowJitterPairs) : most) : found;
 }
