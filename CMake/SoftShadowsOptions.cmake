@@ -16,7 +16,8 @@ set(softshadows_families
   "OCCLUSION_TEXTURES:OcclusionTextures:Prefiltered slices of the casters, occlusion-textures"
   "SHADOW_VOLUMES:ShadowVolumes:Stencil shadow volumes (OpenMesh), volume-*"
   "VIRTUAL_SHADOW_MAPS:VirtualShadowMaps:Soft shadow maps of predicted resolution, virtual-maps"
-  "RAY_TRACING:RayTracing:Ray-traced reference (Embree), ray-traced")
+  "RAY_TRACING:RayTracing:Ray-traced reference (Embree), ray-traced"
+  "AUTOMATIC:Automatic:The technique that an error or a time asks for, auto")
 set(softshadows_family_modules)
 set(softshadows_switches "IMAGE_METRICS:ImageMetrics" "SCENES:Scenes")
 foreach (family IN LISTS softshadows_families)

@@ -88,6 +88,10 @@ void Measure(Row& row, OffscreenWindow& window, vtkAreaLight* light, const Refer
 {
   window.GetRenderer()->SetPass(row.Pass);
   window.Render();
+  while (row.Pass && !row.Pass->IsFinished())
+  {
+    window.Render(); // frames add up
+  }
   const Image visibility = References::GetVisibility(row.Pass, light, reference.Visibility);
   row.Frame = window.Grab();
   row.Visibility->SetImage(visibility);
@@ -191,8 +195,8 @@ void PrintTable(
     Messages::GetPrintable(scene.Name).c_str(), static_cast<long long>(scene.Triangles),
     GetShapeName(scene.Light).c_str(), options.Scene.Size[0], options.Scene.Size[1],
     options.ReferenceSamples, reference.Milliseconds, plain);
-  std::printf("%-20s %8s %8s %8s %8s %8s %9s %8s %10s %9s\n", "technique", "RMSE", "penumbra",
-    "bias", "P99", "max", "correct%", "PSNR", "added ms", "MiB");
+  std::printf("%-20s %8s %8s %8s %8s %8s %8s %9s %8s %10s %9s\n", "technique", "RMSE", "penumbra",
+    "x N.L", "bias", "P99", "max", "correct%", "PSNR", "added ms", "MiB");
   for (const auto& row : rows)
   {
     if (!row->Note.empty())
@@ -201,10 +205,11 @@ void PrintTable(
       continue;
     }
     const auto& errors = row->Visibility;
-    std::printf("%-20s %8.4f %8.4f %+8.4f %8.4f %8.4f %9.2f %8.2f %10.1f %9.2f\n",
-      row->Name.c_str(), errors->GetRMSE(), errors->GetPenumbraRMSE(), errors->GetBias(),
-      errors->GetP99(), errors->GetMaximum(), row->Picture->GetCorrectness(),
-      row->Picture->GetPSNR(), Statistics::GetMedian(row->Times) - plain,
+    std::printf("%-20s %8.4f %8.4f %8.4f %+8.4f %8.4f %8.4f %9.2f %8.2f %10.1f %9.2f\n",
+      row->Name.c_str(), errors->GetRMSE(), errors->GetPenumbraRMSE(),
+      errors->GetPenumbraWeightedRMSE(), errors->GetBias(), errors->GetP99(), errors->GetMaximum(),
+      row->Picture->GetCorrectness(), row->Picture->GetPSNR(),
+      Statistics::GetMedian(row->Times) - plain,
       static_cast<double>(row->Bytes) / (1024.0 * 1024.0));
   }
 }

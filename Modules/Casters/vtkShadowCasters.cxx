@@ -270,8 +270,10 @@ std::vector<vtkLightSample> vtkShadowCasters::GetPlaces(
 
 //------------------------------------------------------------------------------
 std::vector<vtkLightSample> vtkShadowCasters::GetMiddles(
-  const vtkShadowLight& light, int count, const std::vector<int>& casters) const
+  const vtkShadowLight& sampled, int count, const std::vector<int>& casters) const
 {
+  vtkShadowLight light = sampled;
+  light.FirstSample = -1; // parts of the area are no samples of it
   const int side = light.IsPoint() ? 1 : static_cast<int>(std::lround(std::sqrt(count)));
   if (side == 1)
   {

@@ -50,6 +50,11 @@ struct vtkShadowTraits
    * visibility: the pass resolves their sum (vtkVisibilityBuffer::Resolve).
    */
   bool SignedShares = false;
+  /**
+   * It samples the lights, from vtkShadowLight::FirstSample on: so the mean of several frames is what all
+   * of their samples give (parameter accumulate). See vtkShadowTechnique::GetSamples.
+   */
+  bool SamplesLights = false;
 };
 
 struct VTKSOFTSHADOWSCASTERS_EXPORT vtkShadowDeclaration

@@ -277,11 +277,19 @@ std::vector<vtkLightSample> vtkShadowLight::GetSamples(int count, const glm::dve
   std::vector<vtkLightSample> samples;
   samples.reserve(count);
   glm::dvec3 sum(0.0);
-  for (const auto bits : vtkShadowSampling::Sobol(count))
+  const bool alone = this->FirstSample < 0;
+  for (auto bits : vtkShadowSampling::Sobol(count, std::max(0, this->FirstSample)))
   {
     // The first points of the plain sequence sit on the cells' lower corners; moving all by half a
-    // stratum centres the whole set on the light, or small counts would be biased.
-    glm::dvec2 unit = vtkShadowSampling::ToUnit(bits) + 0.5 / count;
+    // stratum centres the whole set on the light, or small counts would be biased. Of how many they
+    // are in the end is not known where frames add up: there bits are turned so that however many points
+    // lie a third of a stratum from its middle, on either side in turn.
+    if (!alone)
+    {
+      bits.X ^= 0xaaaaaaaau;
+      bits.Y ^= 0xaaaaaaaau;
+    }
+    glm::dvec2 unit = vtkShadowSampling::ToUnit(bits) + (alone ? 0.5 / count : 0.0);
     unit -= glm::floor(unit);
     samples.push_back({ this->Map(unit, receiver), this->GetEmission(unit) });
     sum += samples.back().Weight;
@@ -300,7 +308,7 @@ std::vector<vtkLightSample> vtkShadowLight::GetSamples(int count, const glm::dve
 //------------------------------------------------------------------------------
 std::vector<vtkLightSample> vtkShadowLight::GetPlaces(int count, const glm::dvec3& receiver) const
 {
-  if (count > 1)
+  if (count > 1 || this->FirstSample >= 0)
   {
     return this->GetSamples(count, receiver);
   }
@@ -311,9 +319,9 @@ std::vector<vtkLightSample> vtkShadowLight::GetPlaces(int count, const glm::dvec
 bool vtkShadowLight::SameGeometry(const vtkShadowLight& other) const
 {
   return std::tie(this->Kind, this->Position, this->Direction, this->U, this->V, this->ConeAngle,
-           this->Emission,
-           this->EmissionTime) == std::tie(other.Kind, other.Position, other.Direction, other.U,
-                                    other.V, other.ConeAngle, other.Emission, other.EmissionTime);
+           this->Emission, this->EmissionTime, this->FirstSample) ==
+         std::tie(other.Kind, other.Position, other.Direction, other.U, other.V, other.ConeAngle,
+           other.Emission, other.EmissionTime, other.FirstSample);
 }
 
 //------------------------------------------------------------------------------

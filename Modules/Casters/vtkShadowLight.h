@@ -56,6 +56,11 @@ struct VTKSOFTSHADOWSCASTERS_EXPORT vtkShadowLight
   double Attenuation = 1.0; // vtkLight::GetShadowAttenuation() x darkness: 1 is a black shadow
   vtkSmartPointer<vtkImageData> Emission;
   vtkMTimeType EmissionTime = 0;
+  /**
+   * Where frames add up (parameter accumulate): which of the samples of all of them is this frame's first.
+   * -1: this frame stands for itself, and its samples are centred on the light.
+   */
+  int FirstSample = -1;
 
   bool IsDirectional() const { return this->Kind == Shape::Directional; }
   /** A light without size: one sample decides, and soft techniques take the hard path. */
@@ -70,15 +75,21 @@ struct VTKSOFTSHADOWSCASTERS_EXPORT vtkShadowLight
    * through its centre that faces the receiver.
    */
   glm::dvec3 Map(const glm::dvec2& unit, const glm::dvec3& receiver) const;
-  /** N samples as a receiver sees them, stratified (see vtkShadowSampling), weights summing to 1. */
+  /**
+   * N samples as a receiver sees them, stratified (see vtkShadowSampling), weights summing to 1. From
+   * FirstSample on, those of several frames are stratified together.
+   */
   std::vector<vtkLightSample> GetSamples(int count, const glm::dvec3& receiver) const;
-  /** The same, but a single one is the light's centre: where a light that counts as a point is. */
+  /**
+   * The same, but a single one that stands for itself is the light's centre: where a light that counts as
+   * a point is.
+   */
   std::vector<vtkLightSample> GetPlaces(int count, const glm::dvec3& receiver) const;
   /** Some unit vector perpendicular to a unit vector, the same one each time. */
   static glm::dvec3 Perpendicular(const glm::dvec3& axis);
   /** Emission at a point of the unit square, 1 without a texture. */
   glm::dvec3 GetEmission(const glm::dvec2& unit) const;
-  /** Whether place, form and emission are the same. */
+  /** Whether place, form and emission are the same, and so the samples. */
   bool SameGeometry(const vtkShadowLight& other) const;
 
   /**

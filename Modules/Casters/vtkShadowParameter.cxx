@@ -102,6 +102,13 @@ const std::vector<vtkShadowParameter>& vtkShadowParameter::GetCommon()
       "Whether translucent props cast: not at all, as if they were opaque, or by their property's "
       "(or block's) opacity; of several in a row the most opaque counts. Weighted costs one "
       "evaluation more for each opacity that occurs"),
+    Boolean("accumulate", false,
+      "Whether frames add up while nothing changes, of techniques that sample the lights: each "
+      "takes "
+      "other samples, and the picture shows the mean of all, evaluated in screen space. Any change "
+      "starts anew; IsFinished tells when all are there, and frames cost nothing more"),
+    Integer("accumulate-samples", 1024, 1, 1048576,
+      "With accumulate=on: how many samples of each light frames add up to"),
     Real("alpha-threshold", 0.5, 0, 1,
       "Where the alpha of a prop's own texture and colours (not its property's opacity) is below "
       "this, it has a hole that light passes; elsewhere it casts. 0: no holes"),

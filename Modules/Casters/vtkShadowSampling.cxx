@@ -8,7 +8,7 @@
 namespace vtkShadowSampling
 {
 //------------------------------------------------------------------------------
-std::vector<Bits> Sobol(int count)
+std::vector<Bits> Sobol(int count, int first)
 {
   std::vector<Bits> points(count);
   for (int i = 0; i < count; ++i)
@@ -19,7 +19,7 @@ std::vector<Bits> Sobol(int count)
     std::uint32_t y = 0;
     std::uint32_t directionX = 1u << 31;
     std::uint32_t directionY = 1u << 31;
-    for (std::uint32_t index = static_cast<std::uint32_t>(i); index; index >>= 1)
+    for (std::uint32_t index = static_cast<std::uint32_t>(first + i); index; index >>= 1)
     {
       if (index & 1u)
       {

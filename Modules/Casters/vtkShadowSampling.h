@@ -23,8 +23,8 @@ struct Bits
   std::uint32_t Y;
 };
 
-/** The first `count` points. */
-VTKSOFTSHADOWSCASTERS_EXPORT std::vector<Bits> Sobol(int count);
+/** `count` points, from one of them on. */
+VTKSOFTSHADOWSCASTERS_EXPORT std::vector<Bits> Sobol(int count, int first = 0);
 
 /** A well-mixed hash of a word, for scrambling by pixel. */
 VTKSOFTSHADOWSCASTERS_EXPORT std::uint32_t Hash(std::uint32_t value);

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowErrorEstimate.h"
 
-#include "vtkDataArray.h"
-#include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPointData.h"
 #include "vtkShadowDeclaration.h"
 #include "vtkShadowFrame.h"
 
@@ -50,17 +47,17 @@ bool vtkShadowErrorEstimate::IsPossible()
 }
 
 //------------------------------------------------------------------------------
-nlohmann::ordered_json vtkShadowErrorEstimate::Make(const vtkShadowFrame& frame,
-  vtkShadowReceivers& receivers, vtkImageData* visibility, const vtkLight* light)
+bool vtkShadowErrorEstimate::Ask(const vtkShadowFrame& frame, vtkShadowReceivers& receivers,
+  const Shown& shown, const vtkLight* light)
 {
-  vtkDataArray* shown = visibility->GetPointData()->GetScalars();
-  const int components = shown->GetNumberOfComponents();
+  const int components = shown.Components;
   const int width = receivers.GetWidth();
   const auto& texels = receivers.Read(frame.Window);
   const auto isReceiver = [&texels](int pixel) { return vtkShadowReceiver::IsOne(texels[pixel]); };
-  const auto get = [&](int pixel, int c) { return shown->GetComponent(pixel, c); };
+  const auto get = [&](int pixel, int c)
+  { return shown.Values[static_cast<std::size_t>(pixel) * components + c]; };
 
-  std::vector<Stratum> strata(2); // parts of the light and edges; all else
+  this->Strata.assign(2, {}); // parts of the light and edges; all else
   const int count = static_cast<int>(texels.size());
   for (int i = 0; i < count; ++i)
   {
@@ -74,83 +71,137 @@ nlohmann::ordered_json vtkShadowErrorEstimate::Make(const vtkShadowFrame& frame,
                (i % width > 0 && isReceiver(i - 1) && std::abs(v - get(i - 1, c)) > Least) ||
                (i >= width && isReceiver(i - width) && std::abs(v - get(i - width, c)) > Least);
       }
-      strata[part ? 0 : 1].Pixels.push_back(i);
+      this->Strata[part ? 0 : 1].Pixels.push_back(i);
     }
   }
   std::mt19937 random(1);
   std::vector<glm::vec4> chosen(static_cast<std::size_t>(Width) * Height, glm::vec4(0.0f));
-  std::vector<int> pixels;
-  for (Stratum& stratum : strata)
+  this->Pixels.clear();
+  for (Stratum& stratum : this->Strata)
   {
     stratum.Chosen = ChooseSome(stratum.Pixels, random);
     for (std::size_t i = 0; i < stratum.Chosen; ++i)
     {
-      chosen[pixels.size()] = texels[stratum.Pixels[i]];
-      pixels.push_back(stratum.Pixels[i]);
+      chosen[this->Pixels.size()] = texels[stratum.Pixels[i]];
+      this->Pixels.push_back(stratum.Pixels[i]);
     }
   }
 
-  vtkShadowFrame own = frame; // of this light alone
+  vtkShadowFrame own = frame; // of this light alone, and rays of its own
   own.Parts.erase(std::remove_if(own.Parts.begin(), own.Parts.end(),
                     [light](const vtkShadowLightPart& part) { return part.Light.Light != light; }),
     own.Parts.end());
-  std::vector<float> truth[2];
-  if (!own.Parts.empty() && !pixels.empty())
+  for (auto& part : own.Parts)
   {
-    if (!this->Rays)
-    {
-      this->Settings.Reset(FindRays());
-      this->Settings.Set("samples", Samples);
-      this->Rays = FindRays()->Make(this->Settings);
-    }
-    if (!this->Receivers.Allocate(frame.Window, Width, Height) ||
-        !this->Visibility.Allocate(
-          frame.Window, this->Receivers, static_cast<int>(own.Parts.size()), own.Color) ||
-        !this->Rays->UpdateLightData(own))
-    {
-      return nullptr;
-    }
-    this->Receivers.GetTexture().UploadLayer(frame.Window, 0, &chosen[0].x);
-    // Other rays than those of the seeds that users take.
-    truth[0] = this->Trace(own, "40503");
-    truth[1] = this->Trace(own, "52711");
+    part.Light.FirstSample = -1;
   }
-  std::vector<Pixel> found(pixels.size());
-  const int stored = this->Visibility.GetComponents();
-  for (std::size_t i = 0; i < pixels.size(); ++i)
+  this->Truth[0] = this->Truth[1] = {};
+  if (own.Parts.empty() || this->Pixels.empty())
+  {
+    return true;
+  }
+  if (!this->Rays)
+  {
+    this->Settings.Reset(FindRays());
+    this->Settings.Set("samples", Samples);
+    this->Rays = FindRays()->Make(this->Settings);
+  }
+  if (!this->Receivers.Allocate(frame.Window, Width, Height) ||
+      !this->Visibility.Allocate(
+        frame.Window, this->Receivers, static_cast<int>(own.Parts.size()), own.Color) ||
+      !this->Rays->UpdateLightData(own))
+  {
+    return false;
+  }
+  this->Receivers.GetTexture().UploadLayer(frame.Window, 0, &chosen[0].x);
+  // Other rays than those of the seeds that users take.
+  this->Truth[0] = this->Trace(own, light, "40503");
+  this->Truth[1] = this->Trace(own, light, "52711");
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkShadowErrorEstimate::Pixel> vtkShadowErrorEstimate::FindPixels(
+  const Shown& shown) const
+{
+  std::vector<Pixel> found(this->Pixels.size());
+  const int components = shown.Components;
+  const auto get = [](const Shown& of, std::size_t pixel, int c)
+  { return of.Values.empty() ? 1.0 : of.Values[pixel * of.Components + c]; };
+  for (std::size_t i = 0; i < found.size(); ++i)
   {
     for (int c = 0; c < components; ++c)
     {
-      const double v = get(pixels[i], c);
-      const double a = truth[0].empty() ? 1.0 : truth[0][i * stored + c];
-      const double b = truth[1].empty() ? 1.0 : truth[1][i * stored + c];
+      const double v = get(shown, static_cast<std::size_t>(this->Pixels[i]), c);
+      const double a = get(this->Truth[0], i, c);
+      const double b = get(this->Truth[1], i, c);
       found[i].Square += (v - a) * (v - b) / components;
       found[i].Difference += (v - 0.5 * (a + b)) / components;
       found[i].Truth += 0.5 * (a + b) / components;
     }
   }
-  return { { "receivers", Describe(strata, found, false) },
-    { "penumbrae", Describe(strata, found, true) }, { "pixels", pixels.size() } };
+  return found;
+}
+
+//------------------------------------------------------------------------------
+nlohmann::ordered_json vtkShadowErrorEstimate::Judge(const Shown& shown) const
+{
+  const auto found = this->FindPixels(shown);
+  return { { "receivers", Describe(this->Strata, found, false) },
+    { "penumbrae", Describe(this->Strata, found, true) }, { "pixels", this->Pixels.size() } };
+}
+
+//------------------------------------------------------------------------------
+vtkShadowErrorEstimate::RMSE vtkShadowErrorEstimate::FindError(const Shown& shown) const
+{
+  const auto found = this->FindPixels(shown);
+  for (const bool penumbraAlone : { true, false })
+  {
+    const Figure square = FindMean(this->Strata, found, &Pixel::Square, penumbraAlone);
+    if (square.Known)
+    {
+      const auto root = [](double value) { return std::sqrt(std::max(0.0, value)); };
+      return { root(square.Value), root(square.Value - square.Margin),
+        root(square.Value + square.Margin) };
+    }
+  }
+  return {};
 }
 
 //------------------------------------------------------------------------------
 // What is seen of the light by the chosen receivers.
-std::vector<float> vtkShadowErrorEstimate::Trace(vtkShadowFrame& frame, const char* seed)
+vtkShadowErrorEstimate::Shown vtkShadowErrorEstimate::Trace(
+  vtkShadowFrame& frame, const vtkLight* light, const char* seed)
 {
   this->Settings.Set("seed", seed);
   this->Rays->Evaluate(frame, this->Visibility);
-  std::vector<float> sum;
+  return Read(frame, this->Visibility, light);
+}
+
+//------------------------------------------------------------------------------
+vtkShadowErrorEstimate::Shown vtkShadowErrorEstimate::Read(
+  const vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, const vtkLight* light)
+{
+  const int stored = buffer.GetComponents();
+  Shown shown;
+  shown.Components = std::min(3, stored);
+  const std::size_t pixels = static_cast<std::size_t>(buffer.GetWidth()) * buffer.GetHeight();
+  shown.Values.assign(pixels * shown.Components, 1.0f);
   for (std::size_t part = 0; part < frame.Parts.size(); ++part)
   {
-    const auto values = this->Visibility.ReadTarget(frame.Window, static_cast<int>(part));
-    const float share = static_cast<float>(frame.Parts[part].Share);
-    sum.resize(values.size(), 1.0f);
-    for (std::size_t i = 0; i < values.size(); ++i)
+    if (frame.Parts[part].Light.Light != light)
     {
-      sum[i] -= share * (1.0f - std::clamp(values[i], 0.0f, 1.0f));
+      continue;
+    }
+    const auto values = buffer.ReadTarget(frame.Window, static_cast<int>(part));
+    const float share = static_cast<float>(frame.Parts[part].Share);
+    for (std::size_t i = 0; i < shown.Values.size(); ++i)
+    {
+      const float value = values[i / shown.Components * stored + i % shown.Components];
+      shown.Values[i] -= share * (1.0f - std::clamp(value, 0.0f, 1.0f));
     }
   }
-  return sum;
+  return shown;
 }
 
 //------------------------------------------------------------------------------
@@ -207,7 +258,7 @@ vtkShadowErrorEstimate::Figure vtkShadowErrorEstimate::FindMean(const std::vecto
         variance += weight * weight * left * (squares - linear * linear / n) * n / (n - 1.0);
       }
     });
-  return { mean, Margin95 * std::sqrt(std::max(0.0, variance)) / size };
+  return { mean, Margin95 * std::sqrt(std::max(0.0, variance)) / size, true };
 }
 
 //------------------------------------------------------------------------------

@@ -14,6 +14,7 @@
 #include "vtkShadowReceivers.h"
 #include "vtkShadowSettings.h"
 #include "vtkShadowTechnique.h"
+#include "vtkSoftShadowsCoreModule.h" // For export macro
 #include "vtkVisibilityBuffer.h"
 
 #include <nlohmann/json.hpp>
@@ -22,23 +23,44 @@
 #include <string>
 #include <vector>
 
-class vtkImageData;
 class vtkLight;
 class vtkOpenGLRenderWindow;
 struct vtkShadowFrame;
 
-class vtkShadowErrorEstimate
+class VTKSOFTSHADOWSCORE_EXPORT vtkShadowErrorEstimate
 {
 public:
   /** Whether this program has what it takes: the technique ray-traced. */
   static bool IsPossible();
 
+  /** A root mean square, and the ends of its 95 % interval; of no pixels, all are -1. */
+  struct RMSE
+  {
+    double Value = -1.0;
+    double Least = -1.0;
+    double Most = -1.0;
+  };
+  /** A light's visibility as it is shown or tried: so many components a pixel. */
+  struct Shown
+  {
+    std::vector<float> Values;
+    int Components = 1;
+  };
+
   /**
-   * Of a light's visibility, as vtkShadowPass::GetVisibility gives it, at receivers; see
-   * vtkShadowPass::GetErrorEstimate. Null after an error.
+   * Choose some receivers by a light's visibility that is shown at them, and trace what is true. False after
+   * an error.
    */
-  nlohmann::ordered_json Make(const vtkShadowFrame& frame, vtkShadowReceivers& receivers,
-    vtkImageData* visibility, const vtkLight* light);
+  bool Ask(const vtkShadowFrame& frame, vtkShadowReceivers& receivers, const Shown& shown,
+    const vtkLight* light);
+  /** How far a visibility of the same receivers is from that; see vtkShadowPass::GetErrorEstimate. */
+  nlohmann::ordered_json Judge(const Shown& shown) const;
+  /** The same in penumbrae, or where there are none, over all receivers. */
+  RMSE FindError(const Shown& shown) const;
+
+  /** The visibility of a light in a buffer that was filled, over all of its parts. */
+  static Shown Read(
+    const vtkShadowFrame& frame, vtkVisibilityBuffer& buffer, const vtkLight* light);
 
   void Release(vtkOpenGLRenderWindow* window);
 
@@ -60,13 +82,19 @@ private:
   {
     double Value = 0.0;
     double Margin = 0.0; // half of the 95 % interval
+    bool Known = false;
   };
 
-  std::vector<float> Trace(vtkShadowFrame& frame, const char* seed);
+  Shown Trace(vtkShadowFrame& frame, const vtkLight* light, const char* seed);
+  std::vector<Pixel> FindPixels(const Shown& shown) const;
   static Figure FindMean(const std::vector<Stratum>& strata, const std::vector<Pixel>& pixels,
     double Pixel::*quantity, bool penumbraAlone);
   static nlohmann::ordered_json Describe(
     const std::vector<Stratum>& strata, const std::vector<Pixel>& pixels, bool penumbraAlone);
+
+  std::vector<Stratum> Strata;
+  std::vector<int> Pixels; // that were chosen, stratum by stratum
+  Shown Truth[2];          // at these, by different rays; without values where no light is cast
 
   vtkShadowSettings Settings;
   std::unique_ptr<vtkShadowTechnique> Rays;

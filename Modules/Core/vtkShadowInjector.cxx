@@ -344,9 +344,10 @@ void vtkShadowInjector::SetParameters(
     // Set while receivers are written too, or they would share a unit with the prop's own textures.
     // The receivers themselves cannot be bound then.
     auto& screen = use.Written ? *use.Written : (translucent ? *use.Translucent : *use.Opaque);
-    auto& receivers = use.Written ? screen.Visibility.GetTarget() : screen.Receivers.GetTexture();
+    auto& visibility = use.Written ? screen.Visibility.GetTarget() : screen.Visibility.GetShown();
+    auto& receivers = use.Written ? visibility : screen.Receivers.GetTexture();
     program->SetUniformi("shadowReceivers", receivers.GetUnit());
-    program->SetUniformi("shadowBuffer", screen.Visibility.GetTarget().GetUnit());
+    program->SetUniformi("shadowBuffer", visibility.GetUnit());
   }
   std::array<int, 4> viewport;
   frame.Window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport.data());

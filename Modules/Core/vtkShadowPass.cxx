@@ -170,8 +170,8 @@ void vtkShadowPass::RenderShadowed(const vtkRenderState* s)
   this->UpdateLights(renderer);
   vtkShadowStages& stages = my.Stages;
   vtkShadowFrame& frame = stages.GetFrame();
-  my.Active = this->PrepareShadows(renderer);
   const bool debug = my.DebugView != "none";
+  my.Active = this->PrepareShadows(renderer, !debug);
   if (my.Active && (stages.IsInScreenSpace() || debug))
   {
     my.Active = this->EvaluateVisibility(debug);
@@ -182,6 +182,7 @@ void vtkShadowPass::RenderShadowed(const vtkRenderState* s)
     stages.Translucent.Release(window);
   }
   my.BufferAskedFor = false;
+  my.Accumulation.End(frame, my.Active);
 
   // What is drawn may set another technique.
   vtkShadowTechnique* technique = my.Technique.get();
@@ -253,8 +254,8 @@ void vtkShadowPass::FitUnplacedLights(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-// Stages 1 and 2. False where no shadows are drawn.
-bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
+// Stages 1 and 2, of a frame that may be one of several that add up. False where no shadows are drawn.
+bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer, bool accumulates)
 {
   Internals& my = *this->Internal;
   vtkShadowStages& stages = my.Stages;
@@ -290,7 +291,20 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
     }
   }
   this->PrepareTechnique(*my.Technique);
-  if (my.Settings.GetDeclaration()->Traits.NeedsReceivers)
+  if (accumulates)
+  {
+    my.Accumulation.Begin(stages.GetFrame(), my.Props, *my.Technique, this->GetMTime());
+  }
+  else
+  {
+    my.Accumulation.Forget(); // receivers and visibility become others
+    my.Technique->BeginFrame(false);
+  }
+  if (my.Accumulation.IsOn() && my.Accumulation.IsFinished())
+  {
+    return true; // with the last frame's light data
+  }
+  if (my.Technique->GetTraits().NeedsReceivers)
   {
     // As they are drawn again with the picture, by the same shaders: in screen space.
     stages.ChooseEvaluation(nullptr, my.Settings);
@@ -299,7 +313,10 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
     {
       return false;
     }
-    this->DrawReceivers(false, false);
+    if (my.Accumulation.GetBefore() == 0)
+    {
+      this->DrawReceivers(false, false);
+    }
     stages.GetFrame().Receivers = &stages.Opaque.Receivers;
   }
   if (!stages.UpdateLightData(*my.Technique))
@@ -318,7 +335,7 @@ bool vtkShadowPass::PrepareShadows(vtkRenderer* renderer)
   return stages.Guard(*my.Technique,
     [&]
     {
-      stages.ChooseEvaluation(my.Technique.get(), my.Settings);
+      stages.ChooseEvaluation(my.Accumulation.IsOn() ? nullptr : my.Technique.get(), my.Settings);
       return true;
     });
 }
@@ -354,19 +371,32 @@ bool vtkShadowPass::EvaluateVisibility(bool withCatchers)
 {
   Internals& my = *this->Internal;
   vtkShadowStages& stages = my.Stages;
+  const bool translucent = my.Active && stages.IsInScreenSpace() &&
+                           std::any_of(my.Props.begin(), my.Props.end(),
+                             [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry(); });
+  if (my.Accumulation.IsOn() && my.Accumulation.IsFinished())
+  {
+    stages.Opaque.Valid = true;
+    stages.Translucent.Valid = translucent;
+    return true;
+  }
   if (!this->EvaluateScreen(false, withCatchers))
   {
     return false;
   }
-  const bool translucent = my.Active && stages.IsInScreenSpace() &&
-                           std::any_of(my.Props.begin(), my.Props.end(),
-                             [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry(); });
   if (!translucent)
   {
     stages.Translucent.Release(my.At.Window);
-    return true;
   }
-  return this->EvaluateScreen(true, true);
+  else if (!this->EvaluateScreen(true, true))
+  {
+    return false;
+  }
+  if (my.Accumulation.IsOn())
+  {
+    my.Accumulation.Count();
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -379,12 +409,22 @@ bool vtkShadowPass::EvaluateScreen(bool translucent, bool withCatchers)
   {
     return false;
   }
-  // Receivers that light data was made from are without catchers, which a debug view shows.
-  if (!screen.Drawn || withCatchers)
+  // Receivers that light data was made from are without catchers, which a debug view shows. Those of a
+  // frame that adds to the last one are its.
+  const int before = my.Accumulation.GetBefore();
+  if (before == 0 && (!screen.Drawn || withCatchers))
   {
     this->DrawReceivers(translucent, withCatchers);
   }
   screen.Valid = !my.Active || stages.Evaluate(*my.Technique, screen);
+  if (!my.Accumulation.IsOn())
+  {
+    screen.Visibility.ForgetMean(my.At.Window);
+  }
+  else if (screen.Valid)
+  {
+    screen.Valid = stages.Accumulate(screen, before);
+  }
   return screen.Valid;
 }
 

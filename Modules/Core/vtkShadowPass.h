@@ -210,7 +210,9 @@ public:
   /**
    * Visibility of a light at the pixels of the last frame, as point data of an image the size of the
    * viewport: "Visibility", float, 1 component (3 for a textured light), 1 where nothing is seen;
-   * "Receiver", unsigned char, 1 where a surface is seen that is lit and receives, else 0. Translucent
+   * "Receiver", unsigned char, 1 where a surface is seen that is lit and receives, else 0; "Cosine", float,
+   * N.L of the direction to the middle of a light that casts, 0 where the surface turns away: as much diffuse
+   * shading shows of V (1 of other lights, and where there is no receiver). Translucent
    * surfaces are seen through, but not shadow catchers.
    * The light is given by itself or by its number, from 0: first the lights that cast here (those
    * that are on, supported by the technique, and not beyond the sixteenth), then the renderer's
@@ -224,6 +226,18 @@ public:
   vtkImageData* GetVisibility(int light);
   vtkImageData* GetVisibility(vtkLight* light);
   ///@}
+
+  /**
+   * Whether another frame of what the last one showed would be the same. False before the first frame, and
+   * with accumulate=on until all samples are taken:
+   * @code{.cpp}
+   * do
+   * {
+   *   window->Render();
+   * } while (!shadows->IsFinished());
+   * @endcode
+   */
+  bool IsFinished();
 
   ///@{
   /**
@@ -285,7 +299,7 @@ private:
 
   void RenderShadowed(const vtkRenderState* s);
   void FitUnplacedLights(vtkRenderer* renderer);
-  bool PrepareShadows(vtkRenderer* renderer);
+  bool PrepareShadows(vtkRenderer* renderer, bool accumulates);
   void DrawReceivers(bool translucent, bool withCatchers);
   bool EvaluateVisibility(bool withCatchers);
   bool EvaluateScreen(bool translucent, bool withCatchers);

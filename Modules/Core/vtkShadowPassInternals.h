@@ -7,6 +7,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderPass.h"
 #include "vtkRenderer.h"
+#include "vtkShadowAccumulation.h"
 #include "vtkShadowErrorEstimate.h"
 #include "vtkShadowInjector.h"
 #include "vtkShadowMessages.h"
@@ -64,6 +65,7 @@ public:
   // The frame.
   vtkShadowStages Stages;
   vtkShadowInjector Injector;
+  vtkShadowAccumulation Accumulation;
   vtkShadowReadback Readback;
   vtkShadowErrorEstimate Error;
   nlohmann::ordered_json Errors; // that were estimated of a frame, by the light's number

@@ -218,6 +218,7 @@ void vtkShadowPass::ReleaseGraphicsResources(vtkWindow* window)
   if (glWindow && (glWindow == my.At.Window || (!my.At.Window && my.At.Holding)))
   {
     my.At.Holding = false;
+    my.Accumulation.Forget();
     my.Stages.Release(glWindow);
     my.Error.Release(glWindow);
     if (my.Technique)

@@ -220,6 +220,16 @@ std::string vtkShadowPass::GetUnsupportedReason()
 }
 
 //------------------------------------------------------------------------------
+bool vtkShadowPass::IsFinished()
+{
+  if (vtkShadowPass* copy = this->Internal->At.Copy)
+  {
+    return copy->IsFinished();
+  }
+  return this->Internal->Frames > 0 && this->Internal->Accumulation.IsFinished();
+}
+
+//------------------------------------------------------------------------------
 std::string vtkShadowPass::GetStatistics()
 {
   Internals& my = *this->Internal;
@@ -237,6 +247,11 @@ std::string vtkShadowPass::GetStatistics()
   json["milliseconds"] = stages.GetTimers().GetMilliseconds();
   json["counts"] = stages.GetFrame().Counts;
   json["lights"] = stages.GetLightNotes();
+  const std::string report = my.Technique ? my.Technique->GetReport() : "";
+  if (!report.empty())
+  {
+    json["choice"] = nlohmann::ordered_json::parse(report);
+  }
   if (my.ErrorFrame == my.Frames && !my.Errors.empty())
   {
     json["errors"] = my.Errors;

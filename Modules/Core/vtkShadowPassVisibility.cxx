@@ -3,7 +3,10 @@
 
 #include "vtkCuller.h"
 #include "vtkCullerCollection.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkOpenGLState.h"
+#include "vtkPointData.h"
 #include "vtkPropCollection.h"
 #include "vtkShadowPassInternals.h"
 
@@ -114,7 +117,7 @@ bool vtkShadowPass::UpdateVisibility()
     my.ReleaseRetired(my.At.Window);
     vtkShadowFrame& frame = my.Stages.GetFrame();
     const auto counts = frame.Counts; // statistics are about the frame
-    my.Active = this->PrepareShadows(my.At.Renderer);
+    my.Active = this->PrepareShadows(my.At.Renderer, false);
     if (!my.Active)
     {
       frame.Parts.clear();
@@ -175,13 +178,17 @@ std::string vtkShadowPass::EstimateError(vtkImageData* visibility, int light)
   const auto lights = my.Stages.GetLights();
   vtkOpenGLState* state = my.At.Window->GetState();
   state->Push();
-  auto json = my.Error.Make(my.Stages.GetFrame(), my.Stages.Opaque.Receivers, visibility,
+  auto* values = vtkFloatArray::SafeDownCast(visibility->GetPointData()->GetScalars());
+  const vtkShadowErrorEstimate::Shown shown = { { values->Begin(), values->End() },
+    values->GetNumberOfComponents() };
+  const bool asked = my.Error.Ask(my.Stages.GetFrame(), my.Stages.Opaque.Receivers, shown,
     lights.empty() ? nullptr : lights[light]);
   state->Pop();
-  if (json.is_null())
+  if (!asked)
   {
     return "";
   }
+  auto json = my.Error.Judge(shown);
   json["milliseconds"] =
     std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   if (my.ErrorFrame != my.Frames)

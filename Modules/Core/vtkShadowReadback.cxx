@@ -9,6 +9,8 @@
 #include "vtkShadowScreen.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <iterator>
 
@@ -33,7 +35,7 @@ vtkImageData* vtkShadowReadback::Make(const vtkShadowFrame& frame, vtkShadowScre
     if (frame.Parts[part].Light.Light == light)
     {
       const float share = static_cast<float>(frame.Parts[part].Share);
-      const auto values = buffer.ReadTarget(frame.Window, static_cast<int>(part));
+      const auto values = buffer.ReadShown(frame.Window, static_cast<int>(part));
       float* sum = visibility->GetPointer(0);
       for (vtkIdType i = 0; i < pixels * components; ++i)
       {
@@ -51,10 +53,34 @@ vtkImageData* vtkShadowReadback::Make(const vtkShadowFrame& frame, vtkShadowScre
   {
     mask->SetValue(i, receivers[i].w != 0.0f);
   }
+  vtkNew<vtkFloatArray> cosine;
+  cosine->SetName("Cosine");
+  cosine->SetNumberOfTuples(pixels);
+  cosine->Fill(1.0);
+  const auto part = std::find_if(frame.Parts.begin(), frame.Parts.end(),
+    [light](const vtkShadowLightPart& one) { return one.Light.Light == light; });
+  if (part != frame.Parts.end())
+  {
+    const bool directional = part->Light.IsDirectional();
+    const glm::dvec3 place =
+      frame.GetWorldToVC() * (directional ? glm::dvec4(-part->Light.Direction, 0.0)
+                                          : glm::dvec4(part->Light.Position, 1.0));
+    for (vtkIdType i = 0; i < pixels; ++i)
+    {
+      if (vtkShadowReceiver::IsOne(receivers[i]))
+      {
+        const glm::dvec3 towards = directional ? place : place - glm::dvec3(receivers[i]);
+        const double away = glm::length(towards);
+        const double along = glm::dot(vtkShadowReceiver::Unpack(receivers[i].w).Normal, towards);
+        cosine->SetValue(i, static_cast<float>(away > 0.0 ? std::max(0.0, along / away) : 1.0));
+      }
+    }
+  }
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(width, height, 1);
   image->GetPointData()->SetScalars(visibility);
   image->GetPointData()->AddArray(mask);
+  image->GetPointData()->AddArray(cosine);
   for (auto kept = this->Images.begin(); kept != this->Images.end();)
   {
     const bool gone = std::find(lights.begin(), lights.end(), kept->first) == lights.end();

@@ -19,12 +19,12 @@ struct vtkShadowScreen
   void Activate(vtkOpenGLRenderWindow* window)
   {
     this->Receivers.GetTexture().Activate(window);
-    this->Visibility.GetTarget().Activate(window);
+    this->Visibility.GetShown().Activate(window);
   }
   void Deactivate(vtkOpenGLRenderWindow* window)
   {
     this->Receivers.GetTexture().Deactivate(window);
-    this->Visibility.GetTarget().Deactivate(window);
+    this->Visibility.GetShown().Deactivate(window);
   }
   std::size_t GetBytes() const { return this->Receivers.GetBytes() + this->Visibility.GetBytes(); }
   void Release(vtkOpenGLRenderWindow* window)

@@ -207,9 +207,9 @@ void vtkShadowStages::ChooseEvaluation(
   vtkShadowTechnique* technique, const vtkShadowSettings& settings)
 {
   const std::string choice = settings.GetChoice("evaluation");
-  const vtkShadowTraits& traits = settings.GetDeclaration()->Traits;
+  const vtkShadowTraits traits = technique ? technique->GetTraits() : vtkShadowTraits();
   const bool canForward =
-    technique && traits.Forward && !traits.NeedsReceivers && technique->CanEvaluateForward();
+    traits.Forward && !traits.NeedsReceivers && technique->CanEvaluateForward();
   if (technique && choice == "forward" && !canForward)
   {
     this->Frame.Messages->Warn(
@@ -233,6 +233,20 @@ bool vtkShadowStages::Allocate(vtkShadowScreen& screen)
                           " pixels; drawn without shadows.");
   }
   return made;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowStages::Accumulate(vtkShadowScreen& screen, int before)
+{
+  vtkShadowTimers::Scope timer(this->Timers, "visibility");
+  if (!screen.Visibility.Accumulate(this->Frame, before))
+  {
+    this->Frame.Messages->Error(
+      "no memory for the mean of several frames' visibility; drawn without "
+      "shadows.");
+    return false;
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

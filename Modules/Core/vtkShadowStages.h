@@ -43,6 +43,8 @@ public:
   bool Allocate(vtkShadowScreen& screen);
   /** Fill a screen's visibility, or a quantity. False after an error. */
   bool Evaluate(vtkShadowTechnique& technique, vtkShadowScreen& screen);
+  /** Add a screen's visibility to the mean of so many frames before. False after an error. */
+  bool Accumulate(vtkShadowScreen& screen, int before);
   /**
    * Call something of the technique's. Where an exception leaves it: false, after an error, and the technique
    * has no light data.

@@ -138,6 +138,7 @@ std::string vtkShadowTechniques::Describe(const std::string& name)
   json["cameraDependent"] = traits.CameraDependent;
   json["forward"] = traits.Forward;
   json["signedShares"] = traits.SignedShares;
+  json["samplesLights"] = traits.SamplesLights;
   for (std::size_t i = 0; i < vtkShadowDeclaration::ShapeNames.size(); ++i)
   {
     json["lightShapes"][vtkShadowDeclaration::ShapeNames[i]] = ToString(technique->LightShapes[i]);

@@ -44,7 +44,7 @@ public:
 
   /**
    * JSON: name, title, paper, class; traits, each true or false (hard, planarReceivers, needsReceivers,
-   * cameraDependent, forward, signedShares: see vtkShadowTraits); lightShapes (name to exact,
+   * cameraDependent, forward, signedShares, samplesLights: see vtkShadowTraits); lightShapes (name to exact,
    * approximate or unsupported); parameters (name, type, default, minimum, maximum, choices, unit,
    * meaning, presets); debugViews; resources; limits. An unknown name is an error and gives an empty string.
    */

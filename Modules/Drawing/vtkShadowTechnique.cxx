@@ -4,7 +4,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
-#include "vtkShadowDeclaration.h"
 #include "vtkShadowEvaluateFS.h"
 #include "vtkShadowFrame.h"
 #include "vtkShadowGL.h"
@@ -35,7 +34,7 @@ void vtkShadowTechnique::FillVisibility(vtkShadowFrame& frame, vtkVisibilityBuff
 //------------------------------------------------------------------------------
 void vtkShadowTechnique::Evaluate(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer)
 {
-  const bool isSigned = this->Settings.GetDeclaration()->Traits.SignedShares;
+  const bool isSigned = this->GetTraits().SignedShares;
   this->Activate(frame);
   if (isSigned)
   {
@@ -75,6 +74,26 @@ void vtkShadowTechnique::DrawEvaluation(
       this->SetVisibilityParameters(program);
     });
   receivers.Deactivate(frame.Window);
+}
+
+//------------------------------------------------------------------------------
+vtkShadowTraits vtkShadowTechnique::GetTraits()
+{
+  return this->Settings.GetDeclaration()->Traits;
+}
+
+//------------------------------------------------------------------------------
+int vtkShadowTechnique::GetSamples()
+{
+  return this->GetTraits().SamplesLights ? this->Settings.GetInteger("samples") : 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkShadowTechnique::GetWantedSamples()
+{
+  return this->Settings.GetBoolean("accumulate") && this->GetSamples() > 0
+           ? this->Settings.GetInteger("accumulate-samples")
+           : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -19,6 +19,7 @@
 #ifndef vtkShadowTechnique_h
 #define vtkShadowTechnique_h
 
+#include "vtkShadowDeclaration.h"        // For traits
 #include "vtkShadowSettings.h"           // For settings
 #include "vtkSoftShadowsDrawingModule.h" // For export macro
 
@@ -77,6 +78,22 @@ public:
    * Fill the buffer, signed shares resolved, with the light data bound: for whoever owns the technique.
    */
   void Evaluate(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer);
+
+  /** What it needs of this frame; by default what it declares. */
+  virtual vtkShadowTraits GetTraits();
+  ///@{
+  /**
+   * How many samples of each light a frame takes, where it samples them (vtkShadowTraits::SamplesLights);
+   * else 0. By default the parameter "samples". And to how many frames are to add up, 0 where they are not:
+   * by the parameters accumulate and accumulate-samples.
+   */
+  virtual int GetSamples();
+  virtual int GetWantedSamples();
+  ///@}
+  /** Where samples are wanted, before each frame: whether it shows just what the last one did. */
+  virtual void BeginFrame(bool /*still*/) {}
+  /** What GetStatistics tells of it beside numbers: JSON, or "". */
+  virtual std::string GetReport() { return ""; }
 
   /** What "cost" shows as white: the most samples that a pixel can take. */
   virtual double GetMaximumCost() { return 1.0; }

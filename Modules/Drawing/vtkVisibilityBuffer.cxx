@@ -4,6 +4,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
+#include "vtkShadowAccumulateFS.h"
 #include "vtkShadowFrame.h"
 #include "vtkShadowOpenGL.h"
 #include "vtkShadowResolveFS.h"
@@ -87,12 +88,69 @@ void vtkVisibilityBuffer::Resolve(vtkShadowFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-std::vector<float> vtkVisibilityBuffer::ReadTarget(vtkOpenGLRenderWindow* window, int light)
+bool vtkVisibilityBuffer::Accumulate(vtkShadowFrame& frame, int before)
+{
+  vtkShadowTexture& visibility = this->Visibility;
+  if (!this->Mean.Allocate(frame.Window,
+        this->Color ? vtkShadowTexture::Format::Float4 : vtkShadowTexture::Format::Float1,
+        visibility.GetWidth(), visibility.GetHeight(), visibility.GetLayers()))
+  {
+    return false;
+  }
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
+  vtkShadowFramebuffer::Scope target(frame.Window, this->Framebuffer, &this->Mean, nullptr, 0);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  if (before > 0)
+  {
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ZERO);
+  }
+  visibility.Activate(frame.Window);
+  for (int i = 0; i < static_cast<int>(frame.Parts.size()); ++i)
+  {
+    target.SetLayer(i);
+    frame.Quad->Draw(frame.Window, vtkShadowAccumulateFS,
+      [&](vtkShaderProgram* program)
+      {
+        program->SetUniformi("shadowBuffer", visibility.GetUnit());
+        program->SetUniformi("shadowLayer", i);
+        program->SetUniformf("shadowShare", 1.0f / static_cast<float>(before + 1));
+      });
+  }
+  visibility.Deactivate(frame.Window);
+  this->ShowsMean = true;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkVisibilityBuffer::ForgetMean(vtkOpenGLRenderWindow* window)
+{
+  this->ShowsMean = false;
+  this->Mean.Release(window);
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> vtkVisibilityBuffer::ReadTarget(vtkOpenGLRenderWindow* window, int part)
+{
+  return this->Read(window, this->GetTarget(), part);
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> vtkVisibilityBuffer::ReadShown(vtkOpenGLRenderWindow* window, int part)
+{
+  return this->Read(window, this->GetShown(), part);
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> vtkVisibilityBuffer::Read(
+  vtkOpenGLRenderWindow* window, vtkShadowTexture& texture, int part)
 {
   const int components = this->Quantity.empty() ? this->GetComponents() : 1;
   std::vector<float> values(
     static_cast<std::size_t>(components) * this->GetWidth() * this->GetHeight());
-  this->Framebuffer.Read(window, this->GetTarget(), light, values.data());
+  this->Framebuffer.Read(window, texture, part, values.data());
   return values;
 }
 
@@ -100,6 +158,7 @@ std::vector<float> vtkVisibilityBuffer::ReadTarget(vtkOpenGLRenderWindow* window
 void vtkVisibilityBuffer::Release(vtkOpenGLRenderWindow* window)
 {
   this->Visibility.Release(window);
+  this->ForgetMean(window);
   this->Quantities.Release(window);
   this->Framebuffer.Release(window);
 }

@@ -2,6 +2,7 @@
 // The visibility of receivers in screen space, a layer each part of a light.
 //
 //   visibility  R32F, or RGBA32F with a textured light
+//   mean        the same, of several frames, where they add up
 //   quantity    R32F: what a debug view shows instead
 
 #ifndef vtkVisibilityBuffer_h
@@ -42,6 +43,16 @@ public:
     return this->Quantity.empty() ? this->Visibility : this->Quantities;
   }
 
+  /**
+   * Add what was filled to the mean of `before` frames, which is shown from then on. False when out of
+   * memory.
+   */
+  bool Accumulate(vtkShadowFrame& frame, int before);
+  /** Show what is filled again. */
+  void ForgetMean(vtkOpenGLRenderWindow* window);
+  /** What is to be looked up and read: what was filled, or the mean. */
+  vtkShadowTexture& GetShown() { return this->ShowsMean ? this->Mean : this->GetTarget(); }
+
   vtkShadowReceivers& GetReceivers() { return *this->Receivers; }
   vtkShadowFramebuffer& GetFramebuffer() { return this->Framebuffer; }
 
@@ -57,16 +68,25 @@ public:
 
   /** GetComponents() floats a pixel, or 1 of a quantity; row by row from the bottom. */
   std::vector<float> ReadTarget(vtkOpenGLRenderWindow* window, int part);
+  /** The same of what is shown. */
+  std::vector<float> ReadShown(vtkOpenGLRenderWindow* window, int part);
 
-  std::size_t GetBytes() const { return this->Visibility.GetBytes() + this->Quantities.GetBytes(); }
+  std::size_t GetBytes() const
+  {
+    return this->Visibility.GetBytes() + this->Mean.GetBytes() + this->Quantities.GetBytes();
+  }
   void Release(vtkOpenGLRenderWindow* window);
 
 private:
+  std::vector<float> Read(vtkOpenGLRenderWindow* window, vtkShadowTexture& texture, int part);
+
   vtkShadowReceivers* Receivers = nullptr;
   vtkShadowTexture Visibility;
+  vtkShadowTexture Mean;
   vtkShadowTexture Quantities;
   vtkShadowFramebuffer Framebuffer;
   bool Color = false;
+  bool ShowsMean = false;
   std::string Quantity;
 };
 

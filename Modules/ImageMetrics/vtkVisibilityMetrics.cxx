@@ -21,6 +21,7 @@ struct Input
 {
   const float* Values = nullptr;
   const unsigned char* Mask = nullptr;
+  const float* Cosine = nullptr; // N.L; none: 1
   int Components = 0;
 
   bool IsReceiver(vtkIdType pixel) const { return !this->Mask || this->Mask[pixel] != 0; }
@@ -54,6 +55,16 @@ std::string Open(vtkImageData* image, Input& input)
     }
     input.Mask = mask->GetPointer(0);
   }
+  if (vtkDataArray* cosine = image->GetPointData()->GetArray("Cosine"))
+  {
+    vtkFloatArray* weights = vtkFloatArray::SafeDownCast(cosine);
+    if (!weights || weights->GetNumberOfComponents() != 1 ||
+        weights->GetNumberOfTuples() != pixels->GetNumberOfTuples())
+    {
+      return "its array \"Cosine\" is not one float a pixel";
+    }
+    input.Cosine = weights->GetPointer(0);
+  }
   return "";
 }
 
@@ -62,6 +73,20 @@ std::string Open(vtkImageData* image, Input& input)
 struct Errors
 {
   std::vector<float> Values;
+  double Weighted = 0.0; // sum of squares of errors times weights
+  double Weights = 0.0;  // sum of squares of weights
+
+  void Add(float error, double weight)
+  {
+    this->Values.push_back(error);
+    this->Weighted += weight * weight * error * error;
+    this->Weights += weight * weight;
+  }
+  /** 0 where nothing weighs anything. */
+  double GetWeightedRMSE() const
+  {
+    return this->Weights > 0.0 ? std::sqrt(this->Weighted / this->Weights) : 0.0;
+  }
 
   void Summarize(double& rmse, double& bias, double& p99, double& maximum)
   {
@@ -134,6 +159,7 @@ vtkImageData* vtkVisibilityMetrics::GetImage()
 void vtkVisibilityMetrics::Reset()
 {
   this->RMSE = this->Bias = this->P99 = this->Maximum = Unknown;
+  this->WeightedRMSE = this->PenumbraWeightedRMSE = Unknown;
   this->PenumbraRMSE = this->PenumbraBias = this->PenumbraP99 = this->PenumbraMaximum = Unknown;
   this->NumberOfReceiverPixels = this->NumberOfPenumbraPixels = 0;
   this->DifferenceImage = nullptr;
@@ -197,6 +223,7 @@ std::string vtkVisibilityMetrics::Compare()
     }
     ++this->NumberOfReceiverPixels;
     bool inPenumbra = false;
+    const double weight = reference.Cosine ? std::max(0.0f, reference.Cosine[pixel]) : 1.0;
     float worst = 0.0f;
     for (int c = 0; c < components; ++c)
     {
@@ -205,15 +232,17 @@ std::string vtkVisibilityMetrics::Compare()
       badInImage += std::isfinite(is) ? 0 : 1;
       badInReference += std::isfinite(ought) ? 0 : 1;
       const float error = is - ought;
-      all.Values.push_back(error);
+      all.Add(error, weight);
       worst = std::abs(error) > std::abs(worst) ? error : worst;
       inPenumbra = inPenumbra || (ought >= low && ought <= high);
     }
     if (inPenumbra)
     {
       ++this->NumberOfPenumbraPixels;
-      penumbra.Values.insert(
-        penumbra.Values.end(), all.Values.end() - components, all.Values.end());
+      for (auto error = all.Values.end() - components; error != all.Values.end(); ++error)
+      {
+        penumbra.Add(*error, weight);
+      }
     }
     DifferenceColor(worst, this->DifferenceScale, colors);
   }
@@ -229,6 +258,8 @@ std::string vtkVisibilityMetrics::Compare()
   all.Summarize(this->RMSE, this->Bias, this->P99, this->Maximum);
   penumbra.Summarize(
     this->PenumbraRMSE, this->PenumbraBias, this->PenumbraP99, this->PenumbraMaximum);
+  this->WeightedRMSE = all.GetWeightedRMSE();
+  this->PenumbraWeightedRMSE = penumbra.GetWeightedRMSE();
   return "";
 }
 
@@ -241,10 +272,12 @@ std::string vtkVisibilityMetrics::GetJSON()
     { "bias", this->Bias },
     { "p99", this->P99 },
     { "maximum", this->Maximum },
-    { "penumbra", { { "range", { this->PenumbraRange[0], this->PenumbraRange[1] } },
-                    { "pixels", this->NumberOfPenumbraPixels }, { "rmse", this->PenumbraRMSE },
-                    { "bias", this->PenumbraBias }, { "p99", this->PenumbraP99 },
-                    { "maximum", this->PenumbraMaximum } } },
+    { "weighted_rmse", this->WeightedRMSE },
+    { "penumbra",
+      { { "range", { this->PenumbraRange[0], this->PenumbraRange[1] } },
+        { "pixels", this->NumberOfPenumbraPixels }, { "rmse", this->PenumbraRMSE },
+        { "bias", this->PenumbraBias }, { "p99", this->PenumbraP99 },
+        { "maximum", this->PenumbraMaximum }, { "weighted_rmse", this->PenumbraWeightedRMSE } } },
   };
   return json.dump();
 }

@@ -13,6 +13,10 @@
  * reference lies in PenumbraRange; of a coloured visibility, in at least one component. All
  * components of a pixel count, each as a value of its own.
  *
+ * What a picture shows of an error is its product with N.L, the float point-data array "Cosine" of the
+ * reference: weighted errors are root mean squares of that, over the root mean square of N.L itself, so
+ * that the same error everywhere weighs as much as unweighted. Without the array they are the plain ones.
+ *
  * Figures are those of the last Update. Before it, and after one that failed, they are NaN and the
  * counts are 0.
  */
@@ -72,12 +76,13 @@ public:
   /**
    * Over all receiver pixels, in units of visibility: root mean square error; bias (mean error,
    * positive when the image is brighter than the reference); 99th percentile (nearest rank) and
-   * maximum of the absolute error.
+   * maximum of the absolute error; root mean square error as N.L weighs it.
    */
   vtkGetMacro(RMSE, double);
   vtkGetMacro(Bias, double);
   vtkGetMacro(P99, double);
   vtkGetMacro(Maximum, double);
+  vtkGetMacro(WeightedRMSE, double);
   ///@}
 
   ///@{
@@ -88,6 +93,7 @@ public:
   vtkGetMacro(PenumbraBias, double);
   vtkGetMacro(PenumbraP99, double);
   vtkGetMacro(PenumbraMaximum, double);
+  vtkGetMacro(PenumbraWeightedRMSE, double);
   ///@}
 
   ///@{
@@ -102,8 +108,10 @@ public:
    * All figures as a JSON object:
    *
    *     { "receiver_pixels": 9, "rmse": 0.1, "bias": 0.0, "p99": 0.2, "maximum": 0.2,
+   *       "weighted_rmse": 0.09,
    *       "penumbra": { "range": [0.02, 0.98], "pixels": 4,
-   *                     "rmse": 0.15, "bias": 0.0, "p99": 0.2, "maximum": 0.2 } }
+   *                     "rmse": 0.15, "bias": 0.0, "p99": 0.2, "maximum": 0.2,
+   *                     "weighted_rmse": 0.14 } }
    *
    * Figures that are not known (NaN) are null.
    */
@@ -132,10 +140,12 @@ protected:
   double Bias;
   double P99;
   double Maximum;
+  double WeightedRMSE;
   double PenumbraRMSE;
   double PenumbraBias;
   double PenumbraP99;
   double PenumbraMaximum;
+  double PenumbraWeightedRMSE;
   vtkIdType NumberOfReceiverPixels;
   vtkIdType NumberOfPenumbraPixels;
 

@@ -61,7 +61,8 @@ std::vector<vtkLightSample> vtkPlanarShadowMaps::GetSamples(const vtkShadowLight
   const vtkShadowLight& light = part.Light;
   const glm::dvec3 centre = light.IsDirectional() ? -light.Direction : light.Position;
   std::vector<vtkLightSample> samples = { { centre, glm::dvec3(1.0) } };
-  const bool one = this->Current.Technique != Kind::Soft || this->Current.Samples == 1;
+  const bool one =
+    this->Current.Technique != Kind::Soft || (this->Current.Samples == 1 && light.FirstSample < 0);
   if (!one && !light.IsPoint())
   {
     // A sphere's samples lie on the disk that faces the middle of the centre's shadow.

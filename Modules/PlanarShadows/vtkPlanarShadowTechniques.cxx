@@ -78,6 +78,7 @@ vtkShadowDeclaration Soft()
 {
   vtkShadowDeclaration t = Declare("planar-soft", "Accumulated shadows projected onto planes",
     " and chapter 5 (projective soft)", Kind::Soft);
+  t.Traits.SamplesLights = true;
   t.LightShapes = { Support::Exact, Support::Approximate, Support::Exact, Support::Exact,
     Support::Exact, Support::Exact };
   t.Parameters = { vtkShadowParameter::Integer(

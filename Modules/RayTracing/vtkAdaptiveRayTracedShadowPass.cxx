@@ -23,6 +23,7 @@ vtkShadowDeclaration Adaptive()
     "Wald et al., Embree, SIGGRAPH 2014";
   t.SetClasses<vtkAdaptiveRayTracedShadowTechnique, vtkAdaptiveRayTracedShadowPass>(
     "vtkAdaptiveRayTracedShadowPass");
+  t.Traits.SamplesLights = true;
   t.LightShapes.fill(vtkShadowShapeSupport::Exact);
   t.Parameters = vtkShadowRayParameters::Get();
   t.Parameters.insert(t.Parameters.begin() + 1,

@@ -23,6 +23,7 @@ vtkShadowDeclaration RayTraced()
     "Cook, Porter and Carpenter, Distributed ray tracing, SIGGRAPH 1984; Wald et al., Embree, "
     "SIGGRAPH 2014";
   t.SetClasses<vtkRayTracedShadowTechnique, vtkRayTracedShadowPass>("vtkRayTracedShadowPass");
+  t.Traits.SamplesLights = true;
   t.LightShapes.fill(Support::Exact);
   t.Parameters = vtkShadowRayParameters::Get();
   t.Resources = { "on the CPU: Embree's structures, about 100 bytes a triangle",

@@ -27,8 +27,8 @@ void vtkShadowRayPatterns::Update(
 {
   const bool rectangle = light.Kind == vtkShadowLight::Shape::Rectangle;
   if (this->Steps == steps && this->Seed == static_cast<std::uint32_t>(seed) &&
-      this->Rectangle == rectangle && this->Texture == light.Emission &&
-      this->TextureTime == light.EmissionTime)
+      this->First == light.FirstSample && this->Rectangle == rectangle &&
+      this->Texture == light.Emission && this->TextureTime == light.EmissionTime)
   {
     return;
   }
@@ -36,6 +36,7 @@ void vtkShadowRayPatterns::Update(
   this->Steps = steps;
   this->Samples = samples;
   this->Seed = static_cast<std::uint32_t>(seed);
+  this->First = light.FirstSample;
   this->Rectangle = rectangle;
   this->Texture = light.Emission;
   this->TextureTime = light.EmissionTime;
@@ -44,7 +45,7 @@ void vtkShadowRayPatterns::Update(
   this->Emission.clear();
   this->A.reserve(static_cast<std::size_t>(Count) * samples);
   this->B.reserve(this->A.capacity());
-  const auto points = vtkShadowSampling::Sobol(samples);
+  const auto points = vtkShadowSampling::Sobol(samples, std::max(0, light.FirstSample));
   std::vector<vtkShadowSampling::Bits> scrambled(points.size());
   for (int pattern = 0; pattern < Count; ++pattern)
   {

@@ -42,6 +42,7 @@ private:
   int Samples = 0;
   std::vector<int> Steps;
   std::uint32_t Seed = 0;
+  int First = -1; // vtkShadowLight::FirstSample
   bool Rectangle = false;
   vtkSmartPointer<vtkImageData> Texture;
   vtkMTimeType TextureTime = 0;

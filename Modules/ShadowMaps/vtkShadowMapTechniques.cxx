@@ -47,6 +47,7 @@ vtkShadowDeclaration Accumulated()
   t.SetClasses<vtkAccumulatedShadowMapTechnique, vtkAccumulatedShadowMapPass>(
     "vtkAccumulatedShadowMapPass");
   t.Traits.Forward = true;
+  t.Traits.SamplesLights = true;
   t.DebugViews = { "map" };
   t.LightShapes = { Support::Exact, Support::Approximate, Support::Exact, Support::Exact,
     Support::Exact, Support::Exact };

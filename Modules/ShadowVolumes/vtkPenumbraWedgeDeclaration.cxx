@@ -21,6 +21,7 @@ vtkShadowDeclaration Wedges()
             "algorithm with real-time performance, EGSR 2003";
   t.SetClasses<vtkPenumbraWedgeTechnique, vtkPenumbraWedgePass>("vtkPenumbraWedgePass");
   t.Traits.SignedShares = true;
+  t.Traits.SamplesLights = true; // with overlap=count
   t.LightShapes = { Support::Exact, Support::Approximate, Support::Approximate,
     Support::Approximate, Support::Approximate, Support::Approximate };
   t.Parameters = {

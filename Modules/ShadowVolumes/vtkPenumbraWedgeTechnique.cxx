@@ -64,6 +64,12 @@ vtkShadowWedgeLight MakeArea(const vtkShadowLight& light, const glm::dvec4& plac
 }
 
 //------------------------------------------------------------------------------
+int vtkPenumbraWedgeTechnique::GetSamples()
+{
+  return this->Settings.GetChoice("overlap") == "count" ? vtkShadowTechnique::GetSamples() : 0;
+}
+
+//------------------------------------------------------------------------------
 bool vtkPenumbraWedgeTechnique::UpdateLightData(vtkShadowFrame& frame)
 {
   const std::string overlap = this->Settings.GetChoice("overlap");

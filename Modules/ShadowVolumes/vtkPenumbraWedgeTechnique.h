@@ -20,6 +20,7 @@ class vtkPenumbraWedgeTechnique : public vtkShadowTechnique
 public:
   using vtkShadowTechnique::vtkShadowTechnique;
 
+  int GetSamples() override;
   bool UpdateLightData(vtkShadowFrame& frame) override;
   void FillVisibility(vtkShadowFrame& frame, vtkVisibilityBuffer& buffer) override;
   double GetMaximumCost() override { return this->Most; }

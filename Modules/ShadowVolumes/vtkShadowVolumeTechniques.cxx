@@ -64,6 +64,7 @@ vtkShadowDeclaration Soft()
   t.Name = "volume-soft";
   t.Title = "Accumulated shadow volumes";
   t.Paper += " and chapter 5";
+  t.Traits.SamplesLights = true;
   t.LightShapes = { Support::Exact, Support::Approximate, Support::Exact, Support::Exact,
     Support::Exact, Support::Exact };
   t.Parameters.insert(t.Parameters.begin(), vtkShadowParameter::Integer("samples", 64, 1, 1024,

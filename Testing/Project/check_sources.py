@@ -22,6 +22,7 @@ BELOW = {
     "Casters": [],
     "Drawing": ["Casters"],
     "Core": ["Casters", "Drawing"],
+    "Automatic": ["Casters", "Drawing", "Core"],
     "OcclusionTextures": ["Casters", "Drawing", "Core"],
     "PlanarShadows": ["Casters", "Drawing", "Core"],
     "RayTracing": ["Casters", "Drawing", "Core"],

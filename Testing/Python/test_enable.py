@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """enable and disable: shadows on an existing program by a line, and off again."""
 
+import json
+
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkLight
 from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass
 
-from shadow_testing import Scene, TestCase, main, receivers, visibility, vss
+from shadow_testing import Scene, TestCase, main, receivers, technique_names, visibility, vss
 
 
 class Enable(TestCase):
@@ -26,6 +28,31 @@ class Enable(TestCase):
         vss.disable(scene.renderer)
         self.assertIsNone(scene.renderer.GetPass())
         self.assertTrue((self.look(scene) == before).all())
+
+    def test_auto_chooses(self):
+        scene = Scene("basic")
+        shadows = vss.enable(scene.renderer, "auto", error=0.1)
+        self.look(scene)
+        choice = json.loads(shadows.GetStatistics())["choice"]
+        self.assertIn(choice["chosen"]["technique"], technique_names())
+        self.assertLessEqual(choice["chosen"]["rmseInterval"][1], 0.1)
+        self.assertGreater(len(choice["tried"]), 3)
+        with self.assertRaises(ValueError):
+            vss.enable(scene.renderer, "auto", error=2)
+        with self.assertRaises(ValueError):
+            vss.enable(scene.renderer, "auto", time=-1)
+
+    def test_frames_add_up(self):
+        scene = Scene("basic")
+        shadows = vss.enable(scene.renderer, "map-soft", samples=8, accumulate=True,
+                             accumulate_samples=32)
+        self.assertFalse(shadows.IsFinished())
+        for frame in range(4):
+            self.assertFalse(shadows.IsFinished())
+            self.look(scene)
+        self.assertTrue(shadows.IsFinished())
+        counts = json.loads(shadows.GetStatistics())["counts"]
+        self.assertEqual(counts["accumulatedSamples"], 32)
 
     def test_a_keyword_has_underscores_for_hyphens(self):
         scene = Scene("basic")

@@ -7,7 +7,7 @@ import pathlib
 import unittest
 
 import vtksoftshadows as vss
-from shadow_testing import describe, main, technique_names
+from shadow_testing import describe, main, declared_names
 
 
 class TestStubs(unittest.TestCase):
@@ -20,7 +20,7 @@ class TestStubs(unittest.TestCase):
 
     def names(self):
         return {parameter["name"].replace("-", "_")
-                for technique in technique_names()
+                for technique in declared_names()
                 for parameter in describe(technique)["parameters"]}
 
     def test_enable(self):

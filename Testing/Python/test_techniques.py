@@ -3,7 +3,7 @@
 
 import json
 
-from shadow_testing import TestCase, create, describe, main, technique_names, vss
+from shadow_testing import TestCase, create, describe, main, declared_names, vss
 
 
 def values_of(parameter):
@@ -23,22 +23,22 @@ def values_of(parameter):
 
 class Techniques(TestCase):
     def test_names_are_sorted_and_unique(self):
-        names = technique_names()
+        names = declared_names()
         self.assertEqual(names, sorted(set(names)))
 
     def test_unknown_name(self):
         self.assertIsNone(vss.vtkShadowTechniques.Create("map-nothing"))
         told = self.errors()
-        for name in ["map-nothing"] + technique_names():
+        for name in ["map-nothing"] + declared_names():
             self.assertIn(name, told)
         self.assertEqual(vss.vtkShadowTechniques.Describe("map-nothing"), "")
         self.assertIn("map-nothing", self.errors())
-        for i in (-1, len(technique_names())):
+        for i in (-1, len(declared_names())):
             self.assertEqual(vss.vtkShadowTechniques.GetName(i), "")
             self.assertIn("no technique", self.errors())
 
     def test_describe(self):
-        for name in technique_names():
+        for name in declared_names():
             with self.subTest(technique=name):
                 about = json.loads(vss.vtkShadowTechniques.Describe(name))
                 self.assertEqual(about["name"], name)
@@ -58,7 +58,7 @@ class Techniques(TestCase):
                     self.assertLessEqual({"type", "default", "unit"}, set(parameter))
 
     def test_parameters(self):
-        for name in technique_names():
+        for name in declared_names():
             shadows = create(name)
             self.assertEqual(shadows.GetTechnique(), name)
             for parameter in describe(name)["parameters"]:
@@ -83,7 +83,7 @@ class Techniques(TestCase):
                         self.assertEqual(shadows.GetParameter(key), default)
 
     def test_unknown_parameter(self):
-        for name in technique_names():
+        for name in declared_names():
             shadows = create(name)
             self.assertIs(shadows.SetParameter("smaples", "64"), False)
             told = self.errors()
@@ -93,7 +93,7 @@ class Techniques(TestCase):
             self.assertIn("smaples", self.errors())
 
     def test_quality(self):
-        for name in technique_names():
+        for name in declared_names():
             shadows = create(name)
             for level in ("low", "medium", "high", "reference"):
                 getattr(shadows, "SetQualityTo" + level.capitalize())()
@@ -108,7 +108,7 @@ class Techniques(TestCase):
                     self.assertEqual(shadows.GetParameter(parameter["name"]), parameter["default"])
 
     def test_set_technique(self):
-        for name in technique_names():
+        for name in declared_names():
             shadows = create(name)
             for parameter in describe(name)["parameters"]:
                 if "minimum" in parameter:
@@ -121,7 +121,7 @@ class Techniques(TestCase):
             self.assertEqual(shadows.GetTechnique(), name)
 
     def test_debug_views(self):
-        for name in technique_names():
+        for name in declared_names():
             shadows = create(name)
             views = shadows.GetDebugViews().split()
             self.assertLessEqual({"none", "visibility", "penumbra", "cost"}, set(views))
@@ -134,14 +134,14 @@ class Techniques(TestCase):
                 self.assertIn(view, told)
 
     def test_print(self):
-        for name in technique_names():
+        for name in declared_names():
             text = str(create(name))
             self.assertIn("Technique: " + name, text)
             for parameter in describe(name)["parameters"]:
                 self.assertIn(parameter["name"] + ": " + parameter["default"], text)
 
     def test_before_the_first_frame(self):
-        for name in technique_names():
+        for name in declared_names():
             shadows = create(name)
             self.assertIsNone(shadows.GetVisibility(0))
             self.assertIn("GetVisibility", self.errors())

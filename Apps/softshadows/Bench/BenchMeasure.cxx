@@ -36,7 +36,7 @@ Json ParseErrors(vtkVisibilityMetrics* metrics)
   Json json = Json::parse(metrics->GetJSON());
   if (json["penumbra"]["pixels"] == 0)
   {
-    for (const char* name : { "rmse", "bias", "p99", "maximum" })
+    for (const char* name : { "rmse", "bias", "p99", "maximum", "weighted_rmse" })
     {
       json["penumbra"][name] = nullptr;
     }

@@ -68,7 +68,8 @@ constexpr Column Columns[] = { { "technique", "/technique" }, { "kind", "/kind" 
   { "entry", "/id" }, { "rmse", "/error/rmse" }, { "bias", "/error/bias" }, { "p99", "/error/p99" },
   { "maximum", "/error/maximum" }, { "penumbra_rmse", "/error/penumbra/rmse" },
   { "penumbra_bias", "/error/penumbra/bias" }, { "penumbra_p99", "/error/penumbra/p99" },
-  { "penumbra_maximum", "/error/penumbra/maximum" },
+  { "penumbra_maximum", "/error/penumbra/maximum" }, { "weighted_rmse", "/error/weighted_rmse" },
+  { "penumbra_weighted_rmse", "/error/penumbra/weighted_rmse" },
   { "correctness_percent", "/picture/correctness_percent" }, { "psnr_db", "/picture/psnr_db" },
   { "static_ms", "/time/static/median" }, { "static_added_ms", "/time/static/added/median" },
   { "static_added_lower_ms", "/time/static/added/lower" },
@@ -207,8 +208,8 @@ void BenchResults::PrintTable() const
     one["size"][1].dump().c_str(),
     noise.empty() ? "errors are not measured"
                   : ("the reference's noise " + noise.substr(0, 6)).c_str());
-  std::printf(
-    "%-34s %9s %9s %11s %12s %7s\n", "", "RMSE", "penumbra", "static, ms", "dynamic, ms", "frames");
+  std::printf("%-34s %9s %9s %9s %11s %12s %7s\n", "", "RMSE", "penumbra", "x N.L", "static, ms",
+    "dynamic, ms", "frames");
   const auto number =
     [](const nlohmann::ordered_json& entry, const char* pointer, const char* format)
   {
@@ -228,8 +229,9 @@ void BenchResults::PrintTable() const
       std::printf("not measured: %s\n", entry["skipped"].get<std::string>().c_str());
       continue;
     }
-    std::printf("%9s %9s %11s %12s %7s\n", number(entry, "/error/rmse", "%.4f").c_str(),
+    std::printf("%9s %9s %9s %11s %12s %7s\n", number(entry, "/error/rmse", "%.4f").c_str(),
       number(entry, "/error/penumbra/rmse", "%.4f").c_str(),
+      number(entry, "/error/penumbra/weighted_rmse", "%.4f").c_str(),
       number(entry, "/time/static/added/median", "%.1f").c_str(),
       number(entry, "/time/dynamic/added/median", "%.1f").c_str(),
       number(entry, "/time/static/frames", "%.0f").c_str());

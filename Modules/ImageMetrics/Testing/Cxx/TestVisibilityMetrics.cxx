@@ -143,6 +143,30 @@ void TestMask()
   ExpectFailure(metrics, "image: its array \"Receiver\"");
 }
 
+// Errors 0.25, 0, -0.5, 0.25 where N.L is 1, 0.5, 0, 0.5: what turns away shows nothing.
+void TestWeights()
+{
+  vtkNew<vtkVisibilityMetrics> metrics;
+  const auto reference = NewImage<float>(2, 2, 1, { 0.0f, 1.0f, 0.5f, 0.25f });
+  const auto image = NewImage<float>(2, 2, 1, { 0.25f, 1.0f, 0.0f, 0.5f });
+  metrics->SetReference(reference);
+  metrics->SetImage(image);
+  CHECK(metrics->Update());
+  CHECK_NEAR(metrics->GetWeightedRMSE(), metrics->GetRMSE(), 1e-12);
+  CHECK_NEAR(metrics->GetPenumbraWeightedRMSE(), metrics->GetPenumbraRMSE(), 1e-12);
+  reference->GetPointData()->AddArray(NewArray<float>("Cosine", 1, { 1.0f, 0.5f, 0.0f, 0.5f }));
+  metrics->Modified();
+  CHECK(metrics->Update());
+  CHECK_NEAR(metrics->GetWeightedRMSE(), std::sqrt((0.0625 + 0.015625) / 1.5), 1e-12);
+  CHECK_NEAR(metrics->GetPenumbraWeightedRMSE(), 0.25, 1e-12);
+  CHECK(Contains(metrics->GetJSON(), "\"weighted_rmse\":0.2"));
+  reference->GetPointData()->AddArray(NewArray<float>("Cosine", 1, { 0.0f, 0.0f, 0.0f, 0.0f }));
+  CHECK(metrics->Update());
+  CHECK(metrics->GetWeightedRMSE() == 0.0);
+  reference->GetPointData()->AddArray(NewArray<float>("Cosine", 1, { 0.0f, 0.0f }));
+  ExpectFailure(metrics, "reference: its array \"Cosine\"");
+}
+
 // Three components: each counts; a pixel is penumbra if one of its components is.
 void TestColour()
 {
@@ -195,6 +219,7 @@ void TestFailures()
 int TestVisibilityMetrics(int, char*[])
 {
   TestFigures();
+  TestWeights();
   TestRangeEnds();
   TestPercentile();
   TestMask();
