@@ -35,7 +35,11 @@ float shadowJitteredAverage(shadowKernel kernel, float delta, float found)
   ivec2 place = SHADOW_PIXEL & (shadowJitterTile - 1); // a power of two
   int texel = place.x + shadowJitterTile * place.y;
   int pairs = (shadowCount(kernel, shadowExtent(kernel, reach), 2 * shadowJitterPairs) + 1) / 2;
+#ifdef SHADOW_BRANCHING
   int estimate = min(pairs, shadowEstimatePairs);
+#else
+  int estimate = shadowJitterPairs;
+#endif
   float lit =
     shadowLookUpPairs(kernel, reference, reach, texel, 0, found < 0.0 ? estimate : 0);
   // The horizon is a light's edge that the ring may miss; where it cuts, the estimate is not enough.
