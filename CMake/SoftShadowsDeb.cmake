@@ -20,9 +20,11 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
 if (SOFTSHADOWS_WRAP_PYTHON)
   set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3-vtk9, python3-numpy")
+  # Debian's Python looks into dist-packages, and follows what is named there, wherever the prefix is.
+  file(WRITE "${CMAKE_BINARY_DIR}/vtksoftshadows.pth" "../../python\n")
+  install(FILES "${CMAKE_BINARY_DIR}/vtksoftshadows.pth" DESTINATION "lib/python3/dist-packages")
 endif ()
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libvtk9-dev, libglm-dev")
-set(CPACK_INSTALL_SCRIPTS "${CMAKE_CURRENT_LIST_DIR}/finish_package.cmake")
 install(FILES "${CMAKE_SOURCE_DIR}/LICENSE"
   DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/vtksoftshadows" RENAME copyright)
 install(FILES "${CMAKE_SOURCE_DIR}/CHANGELOG.md"
