@@ -3,6 +3,7 @@
 """Every technique on several scenes in the same light, beside the reference: Documentation/gallery.
 
     side_by_side.py COMMAND [SCENE...]      draw all scenes, or these, and write the page anew
+    side_by_side.py COMMAND --no-times ...  the same without times, for a machine that others use
     side_by_side.py COMMAND --check SCENE   measure a scene again: exit 1 where the page's errors are other ones
 
 COMMAND is build/bin/softshadows. Pictures are small; errors and times are of pictures of that size.
@@ -28,7 +29,7 @@ def measure(command, scene, folder, *options):
     return json.loads(told)
 
 
-def page_of(scene, figures):
+def page_of(scene, figures, times):
     """A table: the reference, then the techniques, the least error first."""
     techniques = [one for one in figures["techniques"] if "skipped" not in one
                   and one["technique"] != "none"]
@@ -39,7 +40,8 @@ def page_of(scene, figures):
     for one in techniques:
         name = one["technique"]
         cells.append(f"![{name}]({scene}-{name}.png)<br>[`{name}`](../techniques/{name}.md): "
-                     f"RMSE {one['visibility']['rmse']:.4f}, {one['added_milliseconds']:.0f} ms")
+                     f"RMSE {one['visibility']['rmse']:.4f}" +
+                     (f", {one['added_milliseconds']:.0f} ms" if times else ""))
     while len(cells) % COLUMNS:
         cells.append("")
     lines = [f"# `{scene}`", "", f"{figures['scene']['triangles']:,} triangles, light: {light}.", "",
@@ -52,7 +54,7 @@ def page_of(scene, figures):
     return "\n".join(lines + ["", f"Others: {others}. [Gallery](../gallery.md)."]) + "\n"
 
 
-def draw(command, scene):
+def draw(command, scene, times):
     for old in FOLDER.glob(f"{scene}-*.png"):
         old.unlink()
     with tempfile.TemporaryDirectory() as folder:
@@ -60,7 +62,7 @@ def draw(command, scene):
         for picture in pathlib.Path(folder).glob("*.png"):
             if not picture.stem.endswith("-difference") and picture.stem != "none":
                 (FOLDER / f"{scene}-{picture.name}").write_bytes(picture.read_bytes())
-    (FOLDER / f"{scene}.md").write_text(page_of(scene, figures))
+    (FOLDER / f"{scene}.md").write_text(page_of(scene, figures, times))
     print(scene, flush=True)
 
 
@@ -82,9 +84,10 @@ def main():
     command, *words = sys.argv[1:]
     if words[:1] == ["--check"]:
         return check(command, words[1])
+    times = "--no-times" not in words
     FOLDER.mkdir(exist_ok=True)
-    for scene in words or SCENES:
-        draw(command, scene)
+    for scene in [word for word in words if word != "--no-times"] or SCENES:
+        draw(command, scene, times)
     return 0
 
 
