@@ -14,7 +14,7 @@ set(softshadows_vtk_components
   FiltersGeneral FiltersGeometry FiltersModeling FiltersSources ImagingCore ImagingHybrid
   InteractionStyle IOCore IOGeometry IOImage IOImport IOLegacy IOPLY IOXML RenderingAnnotation
   RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType RenderingLOD RenderingOpenGL2
-  RenderingVolume RenderingVolumeOpenGL2 TestingCore TestingRendering vtksys)
+  RenderingUI RenderingVolume RenderingVolumeOpenGL2 TestingCore TestingRendering vtksys)
 if (SOFTSHADOWS_WRAP_PYTHON)
   list(APPEND softshadows_vtk_components Python WrappingPythonCore WrapPython)
 endif ()

@@ -239,8 +239,12 @@ void CompareTechniques(const CompareOptions& options)
   {
     if (row->Pass)
     {
-      row->Note =
-        Techniques::FindUnsupported(row->Pass, window.GetOpenWindow(), GetShapeName(scene.Light));
+      for (vtkAreaLight* light : scene.Lights)
+      {
+        row->Note = row->Note.empty() ? Techniques::FindUnsupported(
+                                          row->Pass, window.GetOpenWindow(), GetShapeName(light))
+                                      : row->Note;
+      }
     }
     if (row->Note.empty())
     {

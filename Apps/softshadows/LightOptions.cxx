@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace
 {
@@ -25,6 +26,51 @@ void CheckLength(const char* name, const std::optional<double>& value)
   {
     throw Failure(std::string(name) + " must be zero or more, and finite.");
   }
+}
+
+/** One --light. */
+LightOptions Parse(const std::string& text)
+{
+  const auto refuse = [&text](const std::string& why)
+  { throw CLI::ValidationError("--light", "\"" + text + "\": " + why); };
+  LightOptions light;
+  const auto words = Values::Split(text, ':');
+  light.Shape = words.front();
+  const std::map<std::string, std::optional<double>*> numbers = { { "radius", &light.Radius },
+    { "width", &light.Width }, { "height", &light.Height }, { "angle", &light.Angle },
+    { "intensity", &light.Intensity } };
+  const std::map<std::string, std::optional<std::array<double, 3>>*> triples = {
+    { "position", &light.Position }, { "target", &light.Target }, { "color", &light.Color }
+  };
+  for (std::size_t i = 1; i < words.size(); ++i)
+  {
+    const std::size_t equals = words[i].find('=');
+    const std::string name = words[i].substr(0, equals);
+    const std::string value = equals == std::string::npos ? "" : words[i].substr(equals + 1);
+    if (const auto number = numbers.find(name); number != numbers.end())
+    {
+      double read = 0.0;
+      if (!Values::ParseNumber(value, read))
+      {
+        refuse(name + " is a number.");
+      }
+      *number->second = read;
+    }
+    else if (const auto triple = triples.find(name); triple != triples.end())
+    {
+      *triple->second = Values::ParseTriple(value);
+      if (!*triple->second)
+      {
+        refuse(name + " is three numbers such as 1,2.5,-3.");
+      }
+    }
+    else
+    {
+      refuse("unknown '" + name +
+             "'. Known: radius, width, height, angle, position, target, color, intensity.");
+    }
+  }
+  return light;
 }
 
 double GetDistance(vtkAreaLight* light)
@@ -87,6 +133,31 @@ std::string GetShapeName(vtkAreaLight* light)
 }
 
 //------------------------------------------------------------------------------
+nlohmann::ordered_json DescribeLight(vtkAreaLight* light)
+{
+  const std::string shape = GetShapeName(light);
+  nlohmann::ordered_json json = { { "shape", shape } };
+  if (shape == "sphere" || shape == "disk")
+  {
+    json["radius"] = light->GetRadius();
+  }
+  else if (shape == "rectangle")
+  {
+    json["width"] = light->GetWidth();
+    json["height"] = light->GetHeight();
+  }
+  else if (shape == "directional")
+  {
+    json["angle_degrees"] = light->GetAngularDiameter();
+  }
+  const double* position = light->GetPosition();
+  const double* target = light->GetFocalPoint();
+  json["position"] = { position[0], position[1], position[2] };
+  json["target"] = { target[0], target[1], target[2] };
+  return json;
+}
+
+//------------------------------------------------------------------------------
 void LightOptions::Declare(CLI::App& command)
 {
   const auto number = [&](const char* name, std::optional<double>& value, const char* meaning)
@@ -107,6 +178,27 @@ void LightOptions::Declare(CLI::App& command)
 }
 
 //------------------------------------------------------------------------------
+void LightOptions::DeclareMany(CLI::App& command, std::vector<LightOptions>& lights)
+{
+  const auto parse = [&lights](const std::vector<std::string>& texts)
+  {
+    for (const std::string& text : texts)
+    {
+      lights.push_back(Parse(text));
+    }
+  };
+  command
+    .add_option_function<std::vector<std::string>>("--light", parse,
+      "A light in the place of the scene's; may be given again. Its shape, then what of radius=,\n"
+      "width=, height=, angle=, position=, target=, color=, intensity= is not as the scene's "
+      "light\n"
+      "has it: sphere:radius=0.2:position=1,2,3. Errors and visibility are of the first")
+    ->type_name("SHAPE[:NAME=VALUE]...")
+    ->allow_extra_args(false)
+    ->group("Light");
+}
+
+//------------------------------------------------------------------------------
 void LightOptions::Check() const
 {
   if (!this->Shape.empty() &&
@@ -121,6 +213,12 @@ void LightOptions::Check() const
   if (this->Angle && !(*this->Angle >= 0.0 && *this->Angle <= 90.0))
   {
     throw Failure("--light-angle is from 0 to 90 degrees.");
+  }
+  CheckLength("--light: intensity", this->Intensity);
+  if (this->Color && std::any_of(this->Color->begin(), this->Color->end(),
+                       [](double value) { return value < 0.0 || value > 1.0; }))
+  {
+    throw Failure("--light: color is three numbers from 0 to 1.");
   }
 }
 
@@ -152,6 +250,11 @@ void LightOptions::Apply(vtkAreaLight* light) const
   refuse(this->Height.has_value(), "--light-height", shape == "rectangle");
   refuse(this->Angle.has_value(), "--light-angle", shape == "directional");
 
+  if (this->Color)
+  {
+    light->SetColor(this->Color->data());
+  }
+  light->SetIntensity(this->Intensity.value_or(light->GetIntensity()));
   light->SetRadius(this->Radius.value_or(light->GetRadius()));
   light->SetWidth(this->Width.value_or(light->GetWidth()));
   light->SetHeight(this->Height.value_or(light->GetHeight()));

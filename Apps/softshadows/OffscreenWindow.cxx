@@ -19,11 +19,11 @@ namespace
 {
 const char* const HowToGetADisplay =
   " Start an X server such as Xvfb (\"xvfb-run -a softshadows ...\") or set DISPLAY.";
+}
 
-/**
- * VTK's X window ends the program where it cannot open the display, so that is tried here before. By
- * the library that VTK has loaded: only it knows all forms of DISPLAY and who may connect.
- */
+//------------------------------------------------------------------------------
+// VTK's X window ends the program where it cannot open the display, so that is tried here before. By
+// the library that VTK has loaded: only it knows all forms of DISPLAY and who may connect.
 void CheckDisplay(vtkRenderWindow* window)
 {
   if (!window->IsA("vtkXOpenGLRenderWindow"))
@@ -57,7 +57,6 @@ void CheckDisplay(vtkRenderWindow* window)
     }
   }
 #endif
-}
 }
 
 //------------------------------------------------------------------------------

@@ -10,6 +10,9 @@
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 
+/** Failure where there is no display that a window could be opened on: VTK would end the program. */
+void CheckDisplay(vtkRenderWindow* window);
+
 class OffscreenWindow
 {
 public:

@@ -139,7 +139,9 @@ void Render(const RenderOptions& options)
   }
 
   OffscreenWindow window(options.Scene.Size.data(), options.Scene.SamplesPerPixel);
-  const Scene scene = options.Scene.Build(window.GetRenderer());
+  SceneOptions shown = options.Scene;
+  shown.ShownSamples = Techniques::GetLightSamples(pass);
+  const Scene scene = shown.Build(window.GetRenderer());
   if (options.ShadowCatcher)
   {
     MakeCatcher(window);
@@ -172,6 +174,11 @@ void Render(const RenderOptions& options)
     { "includes_setup", options.Frames == 1 }, { "frame_milliseconds", time },
     { "picture", options.Picture } };
   statistics["pass"] = pass ? Json::parse(pass->GetStatistics()) : Json();
+  statistics["camera"] = DescribeCamera(window.GetRenderer()->GetActiveCamera());
+  for (std::size_t i = 1; i < scene.Lights.size(); ++i)
+  {
+    statistics["scene"]["further_lights"].push_back(DescribeLight(scene.Lights[i]));
+  }
   if (!options.Statistics.empty())
   {
     outputs.StageText(options.Statistics, StandardOutput::GetText(statistics));
@@ -252,13 +259,7 @@ void DeclareRender(CLI::App& app)
     {
       if (options->Technique.empty())
       {
-        options->Technique = options->Scene.UsesStudio() ? "map-soft" : "map-pcss";
-        if (options->Scene.UsesStudio())
-        {
-          // Its maps are kept. What the user sets comes after.
-          auto& settings = options->Parameters.Settings;
-          settings.insert(settings.begin(), { "", "midpoint", "on" });
-        }
+        options->Technique = options->Parameters.TakeDefault(options->Scene.UsesStudio());
       }
       WithinMemory(options->Scene.Size, [options] { Render(*options); });
     });

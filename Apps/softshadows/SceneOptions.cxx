@@ -4,12 +4,16 @@
 #include "Errors.h"
 #include "Meshes.h"
 #include "Models.h"
+#include "Turntable.h"
 #include "Values.h"
 
 #include "vtkActor.h"
 #include "vtkAreaLight.h"
+#include "vtkAreaLightActor.h"
+#include "vtkBoundingBox.h"
 #include "vtkLightCollection.h"
 #include "vtkMapper.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkPropCollection.h"
@@ -96,30 +100,24 @@ vtkAreaLight* FindLight(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
+void PlaceBeside(vtkAreaLight* light, vtkRenderer* renderer)
+{
+  const vtkBoundingBox bounds(renderer->ComputeVisiblePropBounds());
+  double middle[3];
+  double way[3];
+  bounds.GetCenter(middle);
+  vtkMath::Subtract(light->GetPosition(), light->GetFocalPoint(), way);
+  vtkMath::Normalize(way);
+  vtkMath::MultiplyScalar(way, bounds.GetDiagonalLength());
+  light->SetFocalPoint(middle);
+  light->SetPosition(middle[0] + way[0], middle[1] + way[1], middle[2] + way[2]);
+}
+
+//------------------------------------------------------------------------------
 nlohmann::ordered_json Scene::GetJSON() const
 {
-  nlohmann::ordered_json json = { { "name", this->Name }, { "triangles", this->Triangles } };
-  const std::string shape = GetShapeName(this->Light);
-  nlohmann::ordered_json& light = json["light"];
-  light["shape"] = shape;
-  if (shape == "sphere" || shape == "disk")
-  {
-    light["radius"] = this->Light->GetRadius();
-  }
-  else if (shape == "rectangle")
-  {
-    light["width"] = this->Light->GetWidth();
-    light["height"] = this->Light->GetHeight();
-  }
-  else if (shape == "directional")
-  {
-    light["angle_degrees"] = this->Light->GetAngularDiameter();
-  }
-  const double* position = this->Light->GetPosition();
-  const double* target = this->Light->GetFocalPoint();
-  light["position"] = { position[0], position[1], position[2] };
-  light["target"] = { target[0], target[1], target[2] };
-  return json;
+  return { { "name", this->Name }, { "triangles", this->Triangles },
+    { "light", DescribeLight(this->Light) } };
 }
 
 //------------------------------------------------------------------------------
@@ -143,7 +141,29 @@ void SceneOptions::Declare(CLI::App& command)
       "--up", this->Up, "Axis that points up: x, y or z (default y for models, z for scenes)")
     ->type_name("AXIS")
     ->group("Scene");
+  command
+    .add_option("--turn", this->Turn,
+      "Degrees to turn what stands on the ground about the axis that points up")
+    ->type_name("X")
+    ->group("Scene");
+  this->Camera.Declare(command);
   this->Light.Declare(command);
+  LightOptions::DeclareMany(command, this->Lights);
+  command
+    .add_flag("--show-lights", this->ShowLights,
+      "Draw each light as its shape, with the samples that techniques take of it")
+    ->group("Light");
+  if (this->Studio)
+  {
+    Values::AddTriple(command, "--studio-key", this->StudioKey, "X,Y,Z",
+      "The way to the studio's key light (default: high on the left of the camera that\n"
+      "shows all)")
+      ->group("Light");
+    Values::AddNumber(command, "--studio-softness", this->StudioSoftness, { 0.0, 3.0 },
+      "Its size as a share of the scene (default a third)")
+      ->type_name("X")
+      ->group("Light");
+  }
   Values::AddSize(command, "--size", this->Size,
     "Width and height of the picture (default " + std::to_string(this->Size[0]) + "x" +
       std::to_string(this->Size[1]) + ")")
@@ -177,6 +197,10 @@ void SceneOptions::Check() const
   {
     throw Failure("unknown axis '" + this->Up + "' for --up. Known: x, y, z.");
   }
+  if (!std::isfinite(this->Turn))
+  {
+    throw Failure("--turn takes a finite number of degrees.");
+  }
   if (this->Background && std::any_of(this->Background->begin(), this->Background->end(),
                             [](double value) { return value < 0.0 || value > 1.0; }))
   {
@@ -198,24 +222,67 @@ void SceneOptions::Check() const
     }
   }
   this->Light.Check();
+  if (!this->Lights.empty() && this->Light.IsAny())
+  {
+    throw WrongUsage("--light and --light-... exclude each other: say all of a light in --light.");
+  }
+  for (const LightOptions& light : this->Lights)
+  {
+    light.Check();
+  }
+  if ((this->StudioKey || this->StudioSoftness) && !this->UsesStudio())
+  {
+    throw WrongUsage("--studio-key and --studio-softness go with models that no option of a light "
+                     "is given for.");
+  }
 }
 
 //------------------------------------------------------------------------------
 bool SceneOptions::UsesStudio() const
 {
-  return this->Studio && this->Builtin.empty() && !this->Light.IsAny();
+  return this->Studio && this->Builtin.empty() && !this->Light.IsAny() && this->Lights.empty();
+}
+
+//------------------------------------------------------------------------------
+int SceneOptions::GetUpAxis() const
+{
+  const std::string axis = !this->Up.empty() ? this->Up : (this->Builtin.empty() ? "y" : "z");
+  return axis[0] - 'x';
+}
+
+//------------------------------------------------------------------------------
+void SceneOptions::PlaceLights(vtkRenderer* renderer, std::vector<vtkAreaLight*>& lights) const
+{
+  for (std::size_t i = 1; i < this->Lights.size(); ++i)
+  {
+    vtkNew<vtkAreaLight> light;
+    light->DeepCopy(lights.front());
+    renderer->AddLight(light);
+    lights.push_back(light);
+  }
+  for (std::size_t i = 0; i < lights.size(); ++i)
+  {
+    (this->Lights.empty() ? this->Light : this->Lights[i]).Apply(lights[i]);
+  }
 }
 
 //------------------------------------------------------------------------------
 Scene SceneOptions::Build(vtkRenderer* renderer) const
 {
   Scene scene;
-  const std::string axis = !this->Up.empty() ? this->Up : (this->Builtin.empty() ? "y" : "z");
-  const int up = axis[0] - 'x';
+  const int up = this->GetUpAxis();
   const bool studio = this->UsesStudio();
+  const auto tell = [this](const std::string& what, std::size_t number, std::size_t count)
+  {
+    if (this->Progress)
+    {
+      this->Progress(what, number, count);
+    }
+  };
   if (!this->Builtin.empty())
   {
     scene.Name = this->Builtin;
+    tell(this->Builtin, 1, 1);
     vtkShadowScenes::Build(this->Builtin, renderer, this->Triangles);
     Messages::Check();
     if (!vtkShadowScenes::GetModelNote().empty())
@@ -225,8 +292,10 @@ Scene SceneOptions::Build(vtkRenderer* renderer) const
   }
   else
   {
+    std::size_t number = 0;
     for (const std::string& path : this->Models)
     {
+      tell(path, ++number, this->Models.size());
       for (const auto& actor : Models::Read(path))
       {
         renderer->AddActor(actor);
@@ -241,8 +310,14 @@ Scene SceneOptions::Build(vtkRenderer* renderer) const
       vtkNew<vtkShadowStudio> light;
       light->SetUpVector(up == 0, up == 1, up == 2);
       light->SetGround(this->Ground ? vtkShadowStudio::None : vtkShadowStudio::Catcher);
+      light->SetSoftness(this->StudioSoftness.value_or(light->GetSoftness()));
       light->PutOn(renderer);
+      light->AimNow(); // by the camera that shows all
       scene.Light = light->GetKeyLight();
+      if (this->StudioKey)
+      {
+        scene.Light->SetPosition(this->StudioKey->data());
+      }
     }
     else
     {
@@ -260,16 +335,36 @@ Scene SceneOptions::Build(vtkRenderer* renderer) const
   {
     throw Failure("scene '" + scene.Name + "' has no light.");
   }
+  scene.Lights = { scene.Light };
   if (!studio)
   {
-    this->Light.Apply(scene.Light);
+    this->PlaceLights(renderer, scene.Lights);
   }
+  this->Camera.Apply(renderer->GetActiveCamera());
   if (this->Background)
   {
     renderer->GradientBackgroundOff();
     renderer->SetBackground(this->Background->data());
   }
   scene.Triangles = CountTriangles(renderer);
+  if (this->Turn != 0.0)
+  {
+    Turntable(renderer, up).SetAngle(this->Turn);
+  }
+  if (this->ShowLights)
+  {
+    for (vtkAreaLight* light : scene.Lights)
+    {
+      if (studio)
+      {
+        PlaceBeside(light, renderer);
+      }
+      vtkNew<vtkAreaLightActor> shown;
+      shown->SetLight(light);
+      shown->SetSamples(this->ShownSamples);
+      renderer->AddViewProp(shown);
+    }
+  }
   renderer->ResetCameraClippingRange();
   return scene;
 }

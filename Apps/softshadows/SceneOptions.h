@@ -4,6 +4,7 @@
 #ifndef SceneOptions_h
 #define SceneOptions_h
 
+#include "CameraOptions.h"
 #include "Errors.h"
 
 #include "vtkType.h"
@@ -11,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <functional>
 #include <new>
 #include <optional>
 #include <string>
@@ -35,8 +37,14 @@ struct LightOptions
   std::optional<double> Angle;
   std::optional<std::array<double, 3>> Position;
   std::optional<std::array<double, 3>> Target;
+  // Of --light alone.
+  std::optional<std::array<double, 3>> Color;
+  std::optional<double> Intensity;
 
+  /** The options of the scene's light, --light-... . */
   void Declare(CLI::App& command);
+  /** The options of several, --light, each of which adds to `lights`. */
+  static void DeclareMany(CLI::App& command, std::vector<LightOptions>& lights);
   /** Failure for a value that no light has. */
   void Check() const;
   /** Whether any is given. */
@@ -50,8 +58,10 @@ struct Scene
 {
   std::string Name; // of the built-in scene, or the model files
   vtkAreaLight* Light = nullptr;
+  std::vector<vtkAreaLight*> Lights; // that one, and those that --light adds
   vtkIdType Triangles = 0;
 
+  /** Of its lights the first. */
   nlohmann::ordered_json GetJSON() const;
 };
 
@@ -62,14 +72,27 @@ struct SceneOptions
   int Triangles = 0;
   bool Ground = false;
   std::string Up;
+  double Turn = 0.0;
+  CameraOptions Camera;
   LightOptions Light;
+  std::vector<LightOptions> Lights; // in the place of the scene's, where there are any
+  bool ShowLights = false;
+  /** Samples that each light is shown with. */
+  int ShownSamples = 64;
   std::array<int, 2> Size = { 900, 700 };
   std::optional<std::array<double, 3>> Background;
   int SamplesPerPixel = 0;
   /** Models whose light no option names stand in a studio (vtkShadowStudio). */
   bool Studio = false;
+  std::optional<std::array<double, 3>> StudioKey;
+  std::optional<double> StudioSoftness;
+
+  /** Told what is loaded next, and its number of how many. */
+  std::function<void(const std::string&, std::size_t, std::size_t)> Progress;
 
   bool UsesStudio() const;
+  /** The axis that points up: 0, 1 or 2. */
+  int GetUpAxis() const;
 
   /** All options, and the models as positional arguments. */
   void Declare(CLI::App& command);
@@ -77,6 +100,9 @@ struct SceneOptions
   void Check() const;
   /** Set up the renderer; what needs to be said is left with Messages. */
   Scene Build(vtkRenderer* renderer) const;
+
+private:
+  void PlaceLights(vtkRenderer* renderer, std::vector<vtkAreaLight*>& lights) const;
 };
 
 /** Do work; where memory is at its end, a Failure tells the size of the picture that it was for. */
@@ -93,6 +119,12 @@ void WithinMemory(const std::array<int, 2>& size, Function function)
                   std::to_string(size[1]) + ".");
   }
 }
+
+/** A directional light shines the same from anywhere: put it beside the scene, to be shown there. */
+void PlaceBeside(vtkAreaLight* light, vtkRenderer* renderer);
+
+/** Place, shape and sizes of a light. */
+nlohmann::ordered_json DescribeLight(vtkAreaLight* light);
 
 /** A light's shape in the words of the command line: point, sphere, disk, rectangle, directional. */
 std::string GetShapeName(vtkAreaLight* light);

@@ -11,38 +11,6 @@
 
 #include <algorithm>
 
-namespace
-{
-void SetQuality(vtkShadowPass* pass, const std::string& quality)
-{
-  if (quality == "preview")
-  {
-    pass->SetQualityToPreview();
-  }
-  else if (quality == "low")
-  {
-    pass->SetQualityToLow();
-  }
-  else if (quality == "medium")
-  {
-    pass->SetQualityToMedium();
-  }
-  else if (quality == "high")
-  {
-    pass->SetQualityToHigh();
-  }
-  else if (quality == "reference")
-  {
-    pass->SetQualityToReference();
-  }
-  else if (!quality.empty())
-  {
-    throw Failure(
-      "unknown quality '" + quality + "'. Known: preview, low, medium, high, reference.");
-  }
-}
-}
-
 //------------------------------------------------------------------------------
 std::optional<TechniqueSetting> TechniqueSetting::Parse(const std::string& text)
 {
@@ -101,7 +69,7 @@ vtkSmartPointer<vtkShadowPass> TechniqueOptions::Create(
     Messages::Check();
     throw Failure("technique '" + technique + "' cannot be made.");
   }
-  SetQuality(pass, this->Quality);
+  Techniques::SetQuality(pass, this->Quality);
   if (this->Measured)
   {
     pass->SetParameter("terminator", "facets");
@@ -119,6 +87,18 @@ vtkSmartPointer<vtkShadowPass> TechniqueOptions::Create(
   }
   Messages::Check();
   return pass;
+}
+
+//------------------------------------------------------------------------------
+std::string TechniqueOptions::TakeDefault(bool studio)
+{
+  if (!studio)
+  {
+    return "map-pcss";
+  }
+  // The studio's light stands still: maps are kept.
+  this->Settings.insert(this->Settings.begin(), { "map-soft", "midpoint", "on" });
+  return "map-soft";
 }
 
 //------------------------------------------------------------------------------
@@ -174,6 +154,35 @@ bool HasParameter(const nlohmann::ordered_json& description, const std::string& 
 }
 
 //------------------------------------------------------------------------------
+void SetQuality(vtkShadowPass* pass, const std::string& quality)
+{
+  if (quality == "preview")
+  {
+    pass->SetQualityToPreview();
+  }
+  else if (quality == "low")
+  {
+    pass->SetQualityToLow();
+  }
+  else if (quality == "medium")
+  {
+    pass->SetQualityToMedium();
+  }
+  else if (quality == "high")
+  {
+    pass->SetQualityToHigh();
+  }
+  else if (quality == "reference")
+  {
+    pass->SetQualityToReference();
+  }
+  else if (!quality.empty())
+  {
+    throw Failure(
+      "unknown quality '" + quality + "'. Known: preview, low, medium, high, reference.");
+  }
+}
+//------------------------------------------------------------------------------
 nlohmann::ordered_json GetParameters(vtkShadowPass* pass)
 {
   nlohmann::ordered_json values = nlohmann::ordered_json::object();
@@ -185,6 +194,21 @@ nlohmann::ordered_json GetParameters(vtkShadowPass* pass)
   }
   return values;
 }
+
+//------------------------------------------------------------------------------
+int GetLightSamples(vtkShadowPass* pass)
+{
+  constexpr int some = 64;
+  if (!pass)
+  {
+    return some;
+  }
+  const nlohmann::ordered_json description = Describe(pass->GetTechnique());
+  return HasParameter(description, "samples") ? std::stoi(pass->GetParameter("samples"))
+         : description["hard"].get<bool>()    ? 1
+                                              : some;
+}
+
 //------------------------------------------------------------------------------
 std::string FindUnsupported(
   vtkShadowPass* pass, vtkRenderWindow* window, const std::string& lightShape)

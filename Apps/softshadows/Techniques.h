@@ -47,6 +47,9 @@ struct TechniqueOptions
    */
   vtkSmartPointer<vtkShadowPass> Create(const std::string& technique, bool strict) const;
 
+  /** The technique that is taken where none is named; its own settings go before the user's. */
+  std::string TakeDefault(bool studio);
+
   /** Failure for a setting that none of these techniques would use. */
   void CheckSettings(const std::vector<std::string>& techniques) const;
 };
@@ -62,8 +65,14 @@ nlohmann::ordered_json Describe(const std::string& technique);
 /** Whether a technique, as described, has a parameter. */
 bool HasParameter(const nlohmann::ordered_json& description, const std::string& parameter);
 
+/** A preset by its name, "" for none; Failure for an unknown one. */
+void SetQuality(vtkShadowPass* pass, const std::string& quality);
+
 /** All parameters of a pass and their values. */
 nlohmann::ordered_json GetParameters(vtkShadowPass* pass);
+
+/** How many samples of a light a pass takes: its parameter "samples"; 1 where it is hard, else 64. */
+int GetLightSamples(vtkShadowPass* pass);
 
 /** Why a pass cannot draw a window under a light of that shape, or "". */
 std::string FindUnsupported(

@@ -10,7 +10,9 @@
 #include <CLI/Formatter.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <sstream>
 
@@ -22,6 +24,19 @@ bool ParseNumber(const std::string& text, double& value)
   const auto number = vtkShadowNumber::Parse(text);
   value = number.value_or(0.0);
   return number.has_value();
+}
+
+//------------------------------------------------------------------------------
+std::optional<std::array<double, 3>> ParseTriple(const std::string& text)
+{
+  const auto words = Split(text);
+  std::array<double, 3> numbers{};
+  bool valid = words.size() == numbers.size();
+  for (std::size_t i = 0; valid && i < numbers.size(); ++i)
+  {
+    valid = ParseNumber(words[i], numbers[i]);
+  }
+  return valid ? std::optional(numbers) : std::nullopt;
 }
 
 //------------------------------------------------------------------------------
@@ -51,23 +66,36 @@ std::vector<std::string> Split(const std::string& text, char separator)
 }
 
 //------------------------------------------------------------------------------
+std::string Join(const std::vector<std::string>& words)
+{
+  std::string line;
+  for (const std::string& word : words)
+  {
+    const bool plain = !word.empty() && std::all_of(word.begin(), word.end(),
+                                          [](unsigned char c) {
+                                            return std::isalnum(c) || std::strchr("-_./,:=+%@", c);
+                                          });
+    std::string quoted;
+    for (const char c : word)
+    {
+      quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    }
+    line += (line.empty() ? "" : " ") + (plain ? word : "'" + quoted + "'");
+  }
+  return line;
+}
+
+//------------------------------------------------------------------------------
 CLI::Option* AddTriple(CLI::App& command, const std::string& name,
   std::optional<std::array<double, 3>>& value, const std::string& form, const std::string& meaning)
 {
   const auto parse = [name, &value](const std::string& text)
   {
-    const auto words = Split(text);
-    std::array<double, 3> numbers{};
-    bool valid = words.size() == numbers.size();
-    for (std::size_t i = 0; valid && i < numbers.size(); ++i)
-    {
-      valid = ParseNumber(words[i], numbers[i]);
-    }
-    if (!valid)
+    value = ParseTriple(text);
+    if (!value)
     {
       throw CLI::ValidationError(name, "\"" + text + "\" is not three numbers such as 1,2.5,-3");
     }
-    value = numbers;
   };
   return command.add_option_function<std::string>(name, parse, meaning)->type_name(form);
 }

@@ -32,9 +32,15 @@ CLI::Option* AddSize(CLI::App& command, const std::string& name, std::array<int,
 /** A finite number that is the whole text; else false. */
 bool ParseNumber(const std::string& text, double& value);
 
+/** Three finite numbers, "1,2.5,-3"; else nothing. */
+std::optional<std::array<double, 3>> ParseTriple(const std::string& text);
+
 /** WrongUsage for an option that is given and would do nothing: "OPTION has no meaning for WHAT". */
 void RefuseOthers(
   const CLI::App& command, const std::vector<std::string>& used, const std::string& what);
+
+/** Words as a line for the shell, quoted where they need it. */
+std::string Join(const std::vector<std::string>& words);
 
 /** The words between commas. */
 std::vector<std::string> Split(const std::string& text, char separator = ',');

@@ -8,6 +8,8 @@
 #include "List.h"
 #include "Render.h"
 #include "StandardOutput.h"
+#include "Values.h"
+#include "View.h"
 
 #include "vtkShadowPass.h"
 
@@ -15,11 +17,8 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
-#include <algorithm>
-#include <cctype>
 #include <csignal>
 #include <cstdio>
-#include <cstring>
 #include <exception>
 #include <new>
 
@@ -29,26 +28,6 @@ int Fail(const std::string& text, int code)
 {
   Messages::PrintError(text);
   return code;
-}
-
-std::string JoinWords(int argc, char* argv[])
-{
-  std::string line = "softshadows";
-  for (int i = 1; i < argc; ++i)
-  {
-    const std::string word = argv[i];
-    const bool plain = !word.empty() && std::all_of(word.begin(), word.end(),
-                                          [](unsigned char c) {
-                                            return std::isalnum(c) || std::strchr("-_./,:=+%@", c);
-                                          });
-    std::string quoted;
-    for (const char c : word)
-    {
-      quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    }
-    line += plain ? " " + word : " '" + quoted + "'";
-  }
-  return line;
 }
 
 // What is given is given: nothing stands for "not given".
@@ -79,7 +58,8 @@ int Run(int argc, char* argv[])
   DeclareList(app);
   DeclareRender(app);
   DeclareCompare(app);
-  DeclareBench(app, JoinWords(argc, argv));
+  DeclareBench(app, "softshadows " + Values::Join({ argv + 1, argv + argc }));
+  DeclareView(app);
   RefuseEmptyValues(app);
 
   try
@@ -87,7 +67,7 @@ int Run(int argc, char* argv[])
     app.parse(argc, argv); // runs the subcommand
     if (app.get_subcommands().empty())
     {
-      throw CLI::RequiredError("a subcommand (list, render, compare, bench)");
+      throw CLI::RequiredError("a subcommand (list, render, compare, bench, view)");
     }
     Messages::Check();
     Messages::ShowWarnings();

@@ -98,6 +98,31 @@ glm::dvec3 vtkShadowLight::Perpendicular(const glm::dvec3& axis)
 }
 
 //------------------------------------------------------------------------------
+vtkShadowLight vtkShadowLight::Read(vtkLight* source, double defaultRadius, double defaultAngle)
+{
+  vtkShadowLight light;
+  light.Light = source;
+  light.Position = glm::make_vec3(source->GetTransformedPosition());
+  const glm::dvec3 toFocus = glm::make_vec3(source->GetTransformedFocalPoint()) - light.Position;
+  light.Direction = glm::length(toFocus) > 0.0 ? glm::normalize(toFocus) : light.Direction;
+  light.Kind = source->GetPositional() ? Shape::Point : Shape::Directional;
+  light.ConeAngle = light.IsDirectional() ? 90.0 : std::min(source->GetConeAngle(), 90.0);
+  if (auto* area = vtkAreaLight::SafeDownCast(source))
+  {
+    SetArea(light, area);
+  }
+  else
+  {
+    const double half =
+      light.IsDirectional() ? std::tan(glm::radians(0.5 * defaultAngle)) : defaultRadius;
+    light.Kind = half > 0.0 && !light.IsDirectional() ? Shape::Sphere : light.Kind;
+    light.U = half * Perpendicular(light.Direction);
+    light.V = glm::cross(light.Direction, light.U);
+  }
+  return light;
+}
+
+//------------------------------------------------------------------------------
 std::vector<vtkShadowLight> vtkShadowLight::Gather(
   vtkRenderer* renderer, double defaultRadius, double defaultAngle, double darkness)
 {
@@ -112,35 +137,19 @@ std::vector<vtkShadowLight> vtkShadowLight::Gather(
     {
       continue;
     }
-    vtkShadowLight light;
-    light.Light = source;
-    light.Slot = slot++;
-    light.Attenuation =
+    const int ofShader = slot++;
+    const double attenuation =
       source->GetShadowAttenuation() * (vtkShadowTags::GetFilled(source) ? 1.0 : darkness);
     const double* color = source->GetDiffuseColor();
     const bool black =
       source->GetIntensity() <= 0.0 || (color[0] <= 0.0 && color[1] <= 0.0 && color[2] <= 0.0);
-    if (black || !(light.Attenuation > 0.0) || !vtkShadowTags::GetLightCasting(source))
+    if (black || !(attenuation > 0.0) || !vtkShadowTags::GetLightCasting(source))
     {
       continue;
     }
-    light.Position = glm::make_vec3(source->GetTransformedPosition());
-    const glm::dvec3 toFocus = glm::make_vec3(source->GetTransformedFocalPoint()) - light.Position;
-    light.Direction = glm::length(toFocus) > 0.0 ? glm::normalize(toFocus) : light.Direction;
-    light.Kind = source->GetPositional() ? Shape::Point : Shape::Directional;
-    light.ConeAngle = light.IsDirectional() ? 90.0 : std::min(source->GetConeAngle(), 90.0);
-    if (auto* area = vtkAreaLight::SafeDownCast(source))
-    {
-      SetArea(light, area);
-    }
-    else
-    {
-      const double half =
-        light.IsDirectional() ? std::tan(glm::radians(0.5 * defaultAngle)) : defaultRadius;
-      light.Kind = half > 0.0 && !light.IsDirectional() ? Shape::Sphere : light.Kind;
-      light.U = half * Perpendicular(light.Direction);
-      light.V = glm::cross(light.Direction, light.U);
-    }
+    vtkShadowLight light = Read(source, defaultRadius, defaultAngle);
+    light.Slot = ofShader;
+    light.Attenuation = attenuation;
     if (light.IsDirectional())
     {
       light.Position = glm::dvec3(0.0); // so that moving both points changes nothing

@@ -93,6 +93,12 @@ struct VTKSOFTSHADOWSCASTERS_EXPORT vtkShadowLight
   bool SameGeometry(const vtkShadowLight& other) const;
 
   /**
+   * A light's place and form, whether it casts or not; see Gather for the defaults. The position of a
+   * directional light is what the light has.
+   */
+  static vtkShadowLight Read(
+    vtkLight* light, double defaultRadius = 0.0, double defaultAngle = 0.0);
+  /**
    * The lights of a renderer that cast shadows: switched on, neither black nor without shadow
    * attenuation, and casting not switched off (vtkShadowTags::SetLightCasting). Plain positional
    * vtkLights become spheres of the default radius (world units) where it is positive, directional ones

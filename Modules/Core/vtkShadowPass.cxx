@@ -15,6 +15,7 @@
 #include "vtkShadowOpenGL.h"
 #include "vtkShadowPassInternals.h"
 #include "vtkShadowReceiverDrawing.h"
+#include "vtkShadowShaderFiles.h"
 #include "vtkShadowTags.h"
 
 #include <algorithm>
@@ -502,6 +503,7 @@ bool vtkShadowPass::SetShaderParameters(
   try
   {
     my.Injector.SetParameters(program, mapper, prop);
+    vtkShadowShaderFiles::Write(program, "prop");
   }
   catch (const std::exception& exception)
   {

@@ -251,6 +251,17 @@ void vtkShadowStudio::Aim()
 }
 
 //------------------------------------------------------------------------------
+void vtkShadowStudio::AimNow()
+{
+  if (this->Internal->Renderer)
+  {
+    this->AimAtCamera();
+    this->Internal->Aimed = true;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 // Before each frame.
 void vtkShadowStudio::Update()
 {
@@ -310,7 +321,8 @@ void vtkShadowStudio::UpdateLights()
   Internals& my = *this->Internal;
   my.Key->SetAngularDiameter(2.0 * vtkMath::DegreesFromRadians(std::atan(this->Softness / 3.0)));
   vtkCamera* camera = my.Renderer->GetActiveCamera();
-  const glm::dvec3 toKey = glm::make_vec3(my.Key->GetPosition());
+  const glm::dvec3 toKey =
+    glm::make_vec3(my.Key->GetPosition()) - glm::make_vec3(my.Key->GetFocalPoint());
   const glm::dvec3 toCamera = -glm::make_vec3(camera->GetDirectionOfProjection());
   const glm::dvec3 right = glm::cross(glm::make_vec3(camera->GetViewUp()), toCamera);
   const double lies = glm::dot(toKey, right) > 0.0 ? -1.0 : 1.0; // the key on the other side

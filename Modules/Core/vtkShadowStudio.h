@@ -90,6 +90,8 @@ public:
   vtkGetMacro(FollowCamera, bool);
   vtkBooleanMacro(FollowCamera, bool);
   void Aim();
+  /** Place it by the camera as it is now, whatever that is when the next frame is drawn. */
+  void AimNow();
   ///@}
 
   ///@{

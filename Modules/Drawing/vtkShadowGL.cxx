@@ -7,6 +7,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkShadowOpenGL.h"
 #include "vtkShadowQuadVS.h"
+#include "vtkShadowShaderFiles.h"
 #include "vtkTextureUnitManager.h"
 
 #include <algorithm>
@@ -277,6 +278,7 @@ void vtkShadowQuad::Draw(vtkOpenGLRenderWindow* window, const std::string& fragm
   {
     return; // the shader cache has reported why
   }
+  vtkShadowShaderFiles::Write(program, "screen");
   setParameters(program);
   if (!this->VertexArray)
   {

@@ -3,6 +3,7 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
+#include "vtkShadowShaderFiles.h"
 
 //------------------------------------------------------------------------------
 vtkShadowPrograms::Program* vtkShadowPrograms::Use(
@@ -26,6 +27,7 @@ vtkShadowPrograms::Program* vtkShadowPrograms::Use(
     }
     program.Shaders = cache->ReadyShaderProgram(
       vertex.c_str(), fragment.c_str(), sources.Geometry ? sources.Geometry : "");
+    vtkShadowShaderFiles::Write(program.Shaders, "casters");
   }
   else if (!cache->ReadyShaderProgram(program.Shaders))
   {

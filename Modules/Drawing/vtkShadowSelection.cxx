@@ -9,6 +9,7 @@
 #include "vtkShadowReceivers.h"
 #include "vtkShadowSelectionGS.h"
 #include "vtkShadowSelectionVS.h"
+#include "vtkShadowShaderFiles.h"
 #include "vtkSmartPointer.h"
 #include "vtkTransformFeedback.h"
 
@@ -51,6 +52,7 @@ void vtkShadowSelection::Start(vtkShadowFrame& frame, vtkShadowReceivers& receiv
   {
     return;
   }
+  vtkShadowShaderFiles::Write(program, "selection");
   if (!this->Buffer)
   {
     glGenVertexArrays(1, &this->VertexArray);

@@ -52,6 +52,10 @@ bool vtkDepthMapTechnique::UpdateMaps(vtkShadowFrame& frame, int samples, double
   vtkShadowMapSettings settings;
   settings.Samples = samples;
   settings.Midpoint = this->Settings.Has("midpoint") && this->Settings.GetBoolean("midpoint");
+  if (this->Settings.Has("faces"))
+  {
+    settings.Faces = vtkShadowMapFaces::Read(this->Settings.GetChoice("faces"));
+  }
   settings.Bilinear = this->Settings.GetChoice("filter") == "bilinear";
   settings.MemoryLimit = static_cast<std::size_t>(megabytes * 1048576.0);
   const int asked = this->Settings.GetInteger("resolution");

@@ -101,6 +101,12 @@ std::string vtkJitteredShadowMapTechnique::GetFilterGLSL()
 }
 
 //------------------------------------------------------------------------------
+std::string vtkJitteredShadowMapTechnique::GetKernelDefinitions()
+{
+  return this->Settings.GetBoolean("branching") ? "#define SHADOW_BRANCHING\n" : "";
+}
+
+//------------------------------------------------------------------------------
 void vtkJitteredShadowMapTechnique::Activate(vtkShadowFrame& frame)
 {
   vtkFilteredShadowMapTechnique::Activate(frame);

@@ -16,6 +16,7 @@ public:
 
   void UpdatePatterns(vtkShadowFrame& frame) override;
   std::string GetFilterGLSL() override;
+  std::string GetKernelDefinitions() override;
   double GetMaximumCost() override;
   void Release(vtkOpenGLRenderWindow* window) override;
   std::vector<std::pair<std::string, std::size_t>> GetBytes() override;

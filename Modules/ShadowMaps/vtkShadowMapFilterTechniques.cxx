@@ -67,6 +67,13 @@ vtkShadowParameter JitteredSamples(int value, const std::vector<double>& presets
     .At(presets);
 }
 
+vtkShadowParameter Branching()
+{
+  return vtkShadowParameter::Boolean("branching", true,
+    "Leave out the inner rings where the outer one's compares agree; off: all compares of every "
+    "receiver");
+}
+
 template <typename Technique, typename Pass>
 vtkShadowDeclaration Make(
   const char* name, const char* title, const char* className, bool searches = false)
@@ -85,7 +92,7 @@ vtkShadowDeclaration Make(
     Support::Approximate, Support::Approximate, Support::Approximate };
   // Midpoints are nearer to the silhouettes, which make the penumbrae, than lit sides are, and looking
   // around finds less of the receiver itself.
-  t.Parameters = { Resolution(), Filter("bilinear"), Midpoint(true), Skipping() };
+  t.Parameters = { Resolution(), Filter("bilinear"), Midpoint(true), Faces(), Skipping() };
   t.Resources = {
     "depth map, 4 bytes a texel, resolution^2 each light (up to six where the light is "
     "among the casters); its pyramid, about 3 bytes a texel where resolution is a "
@@ -151,6 +158,7 @@ vtkShadowDeclaration Jittered()
   t.Paper = "Uralsky, Efficient soft-edged shadows using pixel shader branching, GPU Gems 2, 2005, "
             "chapter 17; Zapotocky, Soft shadows on GPU, 2007, section 3.4";
   t.Parameters.push_back(JitteredSamples(64, { 16, 32, 64, 256 }));
+  t.Parameters.push_back(Branching());
   t.Parameters.push_back(Width());
   t.Resources.push_back("jittered points, 16 bytes, 256 x samples");
   t.Limits.insert(t.Limits.end(),
@@ -179,6 +187,7 @@ vtkShadowDeclaration Combined()
   t.Parameters.push_back(Blockers());
   t.Parameters.push_back(Search(16));
   t.Parameters.push_back(JitteredSamples(32, { 16, 32, 32, 256 }));
+  t.Parameters.push_back(Branching());
   t.Resources.push_back("jittered points, 16 bytes, 256 x samples");
   t.Limits.insert(t.Limits.end(),
     { TwoLayers, "Noise instead of steps; a thin shadow that the outer ring misses is missed." });

@@ -39,6 +39,13 @@ inline vtkShadowParameter Midpoint(bool value = false)
     "Compare with the middle of the casters' first two layers, where they are a body's two sides, "
     "instead of with the first layer");
 }
+
+inline vtkShadowParameter Faces()
+{
+  return vtkShadowParameter::Choice("faces", "both", { "both", "front", "back" },
+    "Which faces of casters the map holds, as they are turned to the light; flat casters count "
+    "always. Not with midpoint=on. Of bodies the back ones leave no acne, and light at contacts");
+}
 }
 
 #endif

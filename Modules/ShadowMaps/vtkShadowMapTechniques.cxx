@@ -28,7 +28,7 @@ vtkShadowDeclaration Hard()
   t.DebugViews = { "map" };
   t.LightShapes = { Support::Exact, Support::Approximate, Support::Approximate,
     Support::Approximate, Support::Exact, Support::Approximate };
-  t.Parameters = { Resolution(), Filter("bilinear"), Midpoint() };
+  t.Parameters = { Resolution(), Filter("bilinear"), Midpoint(), Faces() };
   t.Resources = { "depth map, 4 bytes a texel, resolution^2 each light (up to six where the light "
                   "is among the casters)" };
   t.Limits = { "The light counts as its centre: there is no penumbra.",
@@ -58,6 +58,7 @@ vtkShadowDeclaration Accumulated()
     Resolution("; 512 where a light has a size", { 256, 512, 0, 1024 }),
     Filter("nearest"),
     Midpoint(),
+    Faces(),
     vtkShadowParameter::Integer("memory", 512, 1, 65536,
       "Most that the maps may hold; more maps than fit are drawn in batches in every frame")
       .In("MiB"),

@@ -37,7 +37,7 @@ bool vtkShadowMapSettings::operator==(const vtkShadowMapSettings& other) const
 {
   const auto tie = [](const vtkShadowMapSettings& s)
   {
-    return std::tie(s.Resolution, s.Samples, s.Bilinear, s.Midpoint, s.Slabs, s.Neighbours,
+    return std::tie(s.Resolution, s.Samples, s.Bilinear, s.Midpoint, s.Faces, s.Slabs, s.Neighbours,
       s.Separation, s.MemoryLimit);
   };
   return tie(*this) == tie(other);
@@ -243,7 +243,8 @@ void vtkShadowMaps::Draw(vtkShadowFrame& frame, int first, int count)
     target.SetLayer(i - this->BatchFirst);
     this->ClearLayer(state);
     const View& view = this->Views[i];
-    frame.Drawing->Draw(frame.Window, view.Frustum.SWCToClip, view.Frustum.Casters);
+    const vtkShadowMapFaces faces(state, this->Current.Faces, view.Frustum.SWCToClip);
+    frame.Drawing->Draw(frame.Window, view.Frustum.SWCToClip, view.Frustum.Casters, faces.Get());
     state->vtkglDisable(GL_SCISSOR_TEST);
   }
 }

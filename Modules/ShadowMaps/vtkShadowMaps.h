@@ -20,6 +20,7 @@
 #include "vtkShadowDepthPyramid.h"          // For what is fully lit or in umbra
 #include "vtkShadowGL.h"                    // For textures
 #include "vtkShadowLight.h"                 // For vtkShadowLight
+#include "vtkShadowMapFaces.h"              // For which faces are drawn
 #include "vtkShadowMapSlabs.h"              // For what rays cross
 #include "vtkShadowVectors.h"               // For the views in shaders
 #include "vtkSoftShadowsShadowMapsModule.h" // For export macro
@@ -43,7 +44,8 @@ struct vtkShadowMapSettings
   bool Neighbours = false; // for look-ups all around a point: vtkShadowMapKernelFS.glsl
   double Separation =
     0.16; // assumed between blocker and receiver, as a share of the casters' extent
-  std::size_t MemoryLimit = std::size_t(1) << 32; // bytes for all layers
+  std::size_t MemoryLimit = std::size_t(1) << 32;                  // bytes for all layers
+  vtkShadowMapFaces::Which Faces = vtkShadowMapFaces::Which::Both; // where Midpoint is false
 
   bool operator==(const vtkShadowMapSettings& other) const;
 };

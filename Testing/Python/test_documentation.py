@@ -2,7 +2,7 @@
 """Every block of Python in the README and the documentation runs, page by page, in its order.
 
 What the pages speak of is there: a renderer with a scene, its window, a ground, a widget.
-C++ and CMake of the README: Testing/Installed.
+C++ and CMake of the pages: Testing/Installed; their links: Testing/Project/check_links.py.
 """
 
 import json
@@ -117,13 +117,6 @@ class Blocks(shadow_testing.TestCase):
         text = (ROOT / "Documentation" / "benchmark.md").read_text()
         (entry,) = re.findall(r'^    ({ "technique".*})$', text, re.M)
         self.assertIn("sweep", json.loads(entry))
-
-    def test_links(self):
-        # Pictures and pages that are named are there.
-        for page in pages():
-            for target in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", page.read_text()):
-                with self.subTest(page=page.name, target=target):
-                    self.assertTrue((page.parent / target).exists())
 
 
 if __name__ == "__main__":

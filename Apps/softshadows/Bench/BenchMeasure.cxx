@@ -505,7 +505,7 @@ Json BenchMeasure::GetJSON() const
     json["published"] = my.Case.Published;
   }
   json["scene"] = my.SceneJSON;
-  json["scene"]["lights"] = my.Case.Lights;
+  json["scene"]["lights"] = my.Stage.GetLights().size();
   json["size"] = my.Case.Scene.Size;
   json["samples_per_pixel"] = my.Case.Scene.SamplesPerPixel;
   json["reference"] = nullptr;

@@ -27,7 +27,10 @@ BenchStage::BenchStage(const BenchCase& one)
   : Window(one.Scene.Size.data(), one.Scene.SamplesPerPixel)
   , Built(one.Scene.Build(Window.GetRenderer()))
 {
-  ScaleLight(this->Built.Light, one.LightScale);
+  for (vtkAreaLight* light : this->Built.Lights)
+  {
+    ScaleLight(light, one.LightScale);
+  }
   this->PlaceLights(one);
   vtkRenderer* renderer = this->Window.GetRenderer();
   if (one.Camera)
@@ -43,7 +46,7 @@ BenchStage::BenchStage(const BenchCase& one)
 void BenchStage::PlaceLights(const BenchCase& one)
 {
   vtkAreaLight* first = this->Built.Light;
-  this->Lights = { first };
+  this->Lights = this->Built.Lights;
   const double* up = this->Window.GetRenderer()->GetActiveCamera()->GetViewUp();
   const double* target = first->GetFocalPoint();
   for (int i = 1; i < one.Lights; ++i)

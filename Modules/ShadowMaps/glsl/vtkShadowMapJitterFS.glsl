@@ -31,7 +31,11 @@ float shadowJitteredAverage(shadowKernel kernel, shadowLayers layers, float foun
   int texel = place.x + shadowJitterTile * place.y;
   vec2 extent = shadowExtent(kernel, max(layers.reach, layers.farReach));
   int pairs = (shadowCount(kernel, extent, 2 * shadowJitterPairs) + 1) / 2;
+#ifdef SHADOW_BRANCHING
   int estimate = min(pairs, shadowEstimatePairs);
+#else
+  int estimate = shadowJitterPairs;
+#endif
   vec4 sums = vec4(0.0);
   shadowTakePairs(kernel, layers, texel, 0, found < 0.0 ? estimate : 0, sums);
   // The horizon is a light's edge that the ring may miss; where it cuts, the estimate is not enough.
