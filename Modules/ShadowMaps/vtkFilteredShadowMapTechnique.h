@@ -63,7 +63,6 @@ protected:
   std::unique_ptr<vtkShadowMapPattern> Filter;
 
 private:
-
   std::unique_ptr<vtkShadowLayers> Layers;
   vtkMTimeType PatternTime = 0; // of the parameters that the patterns were made from
 };
