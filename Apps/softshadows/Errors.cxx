@@ -197,6 +197,22 @@ void ShowWarnings()
 }
 
 //------------------------------------------------------------------------------
+std::string TakeWarnings()
+{
+  Store& store = GetStore();
+  const std::lock_guard<std::mutex> lock(store.Mutex);
+  std::string text;
+  for (const std::string& line : store.Pending)
+  {
+    store.Known.erase(line);
+    text += (text.empty() ? "" : " ") + line.substr(line.find(": ", line.find(": ") + 1) + 2);
+  }
+  store.Pending.clear();
+  store.More = 0;
+  return text;
+}
+
+//------------------------------------------------------------------------------
 std::string TakeError()
 {
   Store& store = GetStore();

@@ -64,6 +64,9 @@ void Note(const std::string& text);
  */
 void ShowWarnings();
 
+/** What was kept, as one text, or "". Forgets it: the same is told again when it comes again. */
+std::string TakeWarnings();
+
 /** The first error that VTK has reported since the last call, or "". Forgets all errors. */
 std::string TakeError();
 

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace
@@ -106,6 +107,9 @@ std::string vtkShadowAdvice::Find(
            studio + ".";
   }
   const double size = frame.Casters->GetSize();
+  std::vector<int> all(frame.Casters->Get().size());
+  std::iota(all.begin(), all.end(), 0);
+  const glm::dvec3 middle = frame.Casters->GetMiddle(all) + frame.Casters->GetOrigin();
   for (const auto& light : lights)
   {
     if (light.IsDirectional())
@@ -117,12 +121,15 @@ std::string vtkShadowAdvice::Find(
       return "the light at " + Print(light.Position) +
              " lies inside the scene; vtkAreaLight::FitTo(bounds) places one outside.";
     }
+    // Of one far away it is the angle that counts: the sun is large, and is seen as small.
     const double diameter = 2.0 * std::max(glm::length(light.U), glm::length(light.V));
-    if (!light.IsPoint() && !declaration.Traits.Hard && (diameter < 1e-3 * size || diameter > size))
+    const double distance = glm::length(light.Position - middle);
+    const bool large = diameter > std::max(size, distance);
+    if (!light.IsPoint() && !declaration.Traits.Hard &&
+        (large || diameter < 1e-3 * std::min(size, distance)))
     {
       return "the light at " + Print(light.Position) + " is " + Print(diameter) + " large, " +
-             (diameter > size ? "more than the whole scene"
-                              : "less than a thousandth of the scene") +
+             (large ? "more than the whole scene" : "less than a thousandth of the scene") +
              ", which is " + Print(size) + "; vtkAreaLight::FitTo(bounds) gives it a fitting size.";
     }
   }
@@ -139,8 +146,9 @@ std::string vtkShadowAdvice::FindBroken(const vtkShadowFrame& frame)
   };
   if (counted("lightsTooLarge"))
   {
-    return "a light is seen by what casts under more than 28 degrees, and a filter of one map "
-           "takes what hides it for one thing: \"map-soft\" is right there.";
+    return "a light is seen by what casts under more than 28 degrees, too large for shadows that "
+           "are "
+           "found from its centre: \"map-soft\" is right there.";
   }
   if (counted("lightsWithLayers"))
   {

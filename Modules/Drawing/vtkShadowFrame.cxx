@@ -2,6 +2,7 @@
 #include "vtkShadowFrame.h"
 
 #include "vtkShaderProgram.h"
+#include "vtkShadowCasters.h"
 #include "vtkShadowLightsFS.h"
 #include "vtkShadowMessages.h"
 #include "vtkShadowNumber.h"
@@ -10,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <numeric>
 
 //------------------------------------------------------------------------------
 int vtkShadowFrame::ChooseResolution(int asked, int smallest, int least, double detail) const
@@ -32,6 +34,21 @@ int vtkShadowFrame::ChooseResolution(int asked, int smallest, int least, double 
                          " is more than this GPU allows; it is " + std::to_string(largest) + ".");
   }
   return std::min(resolution, largest);
+}
+
+//------------------------------------------------------------------------------
+double vtkShadowFrame::CountLargeLights() const
+{
+  constexpr double largest = 0.25; // tangent of half its angle: 28 degrees across
+  std::vector<int> all(this->Casters->Get().size());
+  std::iota(all.begin(), all.end(), 0);
+  const glm::dvec3 middle = this->Casters->GetMiddle(all) + this->Casters->GetOrigin();
+  return static_cast<double>(std::count_if(this->Lights.begin(), this->Lights.end(),
+    [&](const vtkShadowLight& light)
+    {
+      const double distance = light.IsDirectional() ? 1.0 : glm::length(light.Position - middle);
+      return std::max(glm::length(light.U), glm::length(light.V)) > largest * distance;
+    }));
 }
 
 //------------------------------------------------------------------------------

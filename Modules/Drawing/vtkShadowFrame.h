@@ -57,6 +57,12 @@ struct VTKSOFTSHADOWSDRAWING_EXPORT vtkShadowFrame : vtkShadowView
   /** GLSL that declares the lights (vtkShadowLightsFS.glsl), with `#define`s; and the uniforms of it. */
   std::string GetLightsGLSL(const std::string& definitions = "") const;
   void SetLights(vtkShaderProgram* program) const;
+  /**
+   * Lights that casters see under more than 28 degrees. What is known from a light's centre stands for
+   * less and less of it, the larger it is: such techniques count them as "lightsTooLarge", which users
+   * are told of (vtkShadowAdvice).
+   */
+  double CountLargeLights() const;
   /** Counts for GetStatistics(), by name; a technique adds its own. */
   std::map<std::string, double> Counts;
 };

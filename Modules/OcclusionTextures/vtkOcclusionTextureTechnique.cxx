@@ -17,6 +17,10 @@ bool vtkOcclusionTextureTechnique::UpdateLightData(vtkShadowFrame& frame)
                                      : frame.ChooseResolution(512, smallest, smallest);
   settings.Slices = frame.Hard ? 1 : std::stoi(this->Settings.GetChoice("slice-count"));
   settings.Combine = this->Settings.GetChoice("combine");
+  if (settings.Combine != "bits")
+  {
+    frame.Counts["lightsTooLarge"] = frame.CountLargeLights();
+  }
   const std::string prefilter = this->Settings.GetChoice("prefilter");
   settings.Prefilter = settings.Combine == "bits"   ? Filter::Bits
                        : prefilter == "summed-area" ? Filter::Sums

@@ -35,6 +35,10 @@ bool vtkPlanarShadowTechnique::UpdateLightData(vtkShadowFrame& frame)
 
   const bool changed = this->Planes.Update(*frame.Casters, this->Settings.GetInteger("planes"));
   const auto planes = static_cast<int>(this->Planes.Get().size());
+  if (settings.Technique == Kind::Fake)
+  {
+    frame.Counts["lightsTooLarge"] = frame.CountLargeLights();
+  }
   frame.Counts["planes"] = planes;
   frame.Counts["planesFound"] = this->Planes.GetFound();
   frame.Counts["planesLeftOut"] = this->Planes.GetFound() - planes;

@@ -58,29 +58,12 @@ bool vtkFilteredShadowMapTechnique::UpdateLightData(vtkShadowFrame& frame)
       "a light is among its casters and larger than three fifths of its distance from "
       "one: penumbrae that reach further beyond the face of its cube are drawn in.");
   }
-  frame.Counts["lightsTooLarge"] = this->CountLargeLights(frame);
+  frame.Counts["lightsTooLarge"] = frame.CountLargeLights();
   if (!this->FollowsLayers())
   {
     frame.Counts["lightsWithLayers"] = this->Layers->Count(*frame.Casters, frame.Lights);
   }
   return true;
-}
-
-//------------------------------------------------------------------------------
-// One map from the light's centre and one mean blocker stand for less and less of what a light sees, the
-// larger it is.
-double vtkFilteredShadowMapTechnique::CountLargeLights(const vtkShadowFrame& frame) const
-{
-  constexpr double largest = 0.25; // tangent of half its angle: 28 degrees across
-  std::vector<int> all(frame.Casters->Get().size());
-  std::iota(all.begin(), all.end(), 0);
-  const glm::dvec3 middle = frame.Casters->GetMiddle(all) + frame.Casters->GetOrigin();
-  return static_cast<double>(std::count_if(frame.Lights.begin(), frame.Lights.end(),
-    [&](const vtkShadowLight& light)
-    {
-      const double distance = light.IsDirectional() ? 1.0 : glm::length(light.Position - middle);
-      return std::max(glm::length(light.U), glm::length(light.V)) > largest * distance;
-    }));
 }
 
 //------------------------------------------------------------------------------

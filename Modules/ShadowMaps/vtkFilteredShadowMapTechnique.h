@@ -69,8 +69,6 @@ protected:
   std::unique_ptr<vtkShadowMapPattern> Filter;
 
 private:
-  double CountLargeLights(const vtkShadowFrame& frame) const;
-
   std::unique_ptr<vtkShadowLayers> Layers;
   vtkMTimeType PatternTime = 0; // of the parameters that the patterns were made from
 };

@@ -67,6 +67,31 @@ double MeasureBlocker(const std::string& technique, double width, double height)
 }
 
 //------------------------------------------------------------------------------
+// A light that goes away and grows with its distance is the same light to a scene, once it is far: where
+// it is a thousand times as far as the scene is large, and a million. Pixels at edges, 500 of 25,600, may
+// turn where a texel lies elsewhere.
+SHADOW_TEST(Filters, FarLightsAreAlike, Each)
+{
+  if (!ShadowStage::HasParameter(technique, "midpoint"))
+  {
+    return;
+  }
+  const auto show = [&](double distance)
+  {
+    return RenderVisibility(technique, { { "resolution", "512" } },
+      [&](ShadowStage& stage)
+      {
+        stage.AddThings();
+        vtkAreaLight* light = stage.AddLight(
+          LightKind::Rectangle, distance * glm::dvec3(-2.5, -2.0, 5.5), { 0.0, 0.0, 0.0 });
+        ShadowStage::Shrink(light, distance);
+      });
+  };
+  const Difference difference = Compare(show(1e6), show(1e3), 0.5);
+  ShadowTest::CheckAtMost(difference.Share, 20.0 / 25600.0, "pixels that differ");
+}
+
+//------------------------------------------------------------------------------
 // Surely lit and surely dark receivers are told conservatively: not a bit differs, whatever the light,
 // and at a resolution that is no power of two, for which the pyramid's cells do not fit.
 SHADOW_TEST(Filters, SkippingChangesNothing, Each)

@@ -6,8 +6,10 @@
 #include "ShadowTest.h"
 
 #include "vtkAssembly.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkLightCollection.h"
+#include "vtkMapper.h"
 #include "vtkObjectFactory.h"
 #include "vtkProperty.h"
 #include "vtkRenderState.h"
@@ -260,6 +262,43 @@ SHADOW_TEST(Lifetime, OuterPassGoesThenTheWindow, Each)
   ShadowTest::Check(Same(stage.GetPicture(), without), "the picture without the pass differs");
   ShadowTest::CheckEqual(stage.CountGLObjects(), plain, "objects at the end");
   ShadowTest::CheckNoMessage("outer pass");
+}
+
+//------------------------------------------------------------------------------
+// The window closes at a frame's begin or end, or the frame is broken off amid its props: nothing is
+// lost, and the next frame is right. (VTK itself aborts where a window closes between both.)
+SHADOW_TEST(Lifetime, WindowClosesWhileRendering, Each)
+{
+  ShadowStage stage;
+  vtkActor* box = stage.AddThings();
+  stage.AddLight(LightKind::Point);
+  stage.SetPass(technique);
+  stage.Render();
+  const Picture expected = stage.GetPicture();
+  const std::pair<vtkObject*, unsigned long> moments[] = {
+    { stage.Window, vtkCommand::StartEvent },
+    { box->GetMapper(), vtkCommand::UpdateShaderEvent },
+    { stage.Window, vtkCommand::EndEvent },
+  };
+  for (const auto& [object, event] : moments)
+  {
+    const std::string what = vtkCommand::GetStringFromEventId(event);
+    vtkNew<vtkCallbackCommand> command;
+    command->SetClientData(stage.Window.Get());
+    command->SetCallback(
+      [](vtkObject*, unsigned long id, void* data, void*)
+      {
+        auto* window = static_cast<vtkRenderWindow*>(data);
+        id == vtkCommand::UpdateShaderEvent ? window->SetAbortRender(1) : window->Finalize();
+      });
+    const unsigned long observer = object->AddObserver(event, command);
+    stage.Render();
+    object->RemoveObserver(observer);
+    stage.Window->SetAbortRender(0);
+    stage.Render();
+    ShadowTest::Check(Same(stage.GetPicture(), expected), what + ": the next frame differs");
+    ShadowTest::CheckNoMessage(what);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -259,6 +259,11 @@ class Sizes(TestCase):
         self.assertEqual(said.count("less than a thousandth"), 1)
         self.assertIn("more than the whole scene", self.say(lambda light: light.SetRadius(50)))
         self.assertEqual(self.say(lambda light: light.SetRadius(50), "map-hard"), "")
+
+        def far(light):  # as large to the eye as a lamp
+            light.SetPosition(-2.5e4, -2e4, 5.5e4)
+            light.SetRadius(5e3)
+        self.assertEqual(self.say(far), "")
         said = self.say(lambda light: light.SetPosition(0.9, -0.5, 1.3))
         self.assertIn("the light at (0.9, -0.5, 1.3) lies inside the scene", said)
         self.assertEqual(self.say(lambda light: light.SetShapeToPoint()), "")  # as it was said
@@ -266,7 +271,9 @@ class Sizes(TestCase):
     def test_a_light_that_is_too_large_for_a_filter(self):
         def change(light):
             light.SetRadius(2.5)  # from six away, of a scene of eight
-        self.assertIn('"map-soft" is right there', self.say(change))
+        for technique in ("map-pcss", "planar-fake", "occlusion-textures"):
+            with self.subTest(technique=technique):
+                self.assertIn('"map-soft" is right there', self.say(change, technique))
         self.assertEqual(self.say(change, "map-soft"), "")
 
     def say_of_balls(self, heights, technique="map-pcss"):

@@ -5,6 +5,8 @@
 #include "BenchPlan.h"
 #include "BenchResults.h"
 #include "Errors.h"
+#include "ExtremeMeasure.h"
+#include "ExtremeResults.h"
 #include "Interruption.h"
 #include "Models.h"
 #include "Outputs.h"
@@ -34,6 +36,8 @@ struct BenchOptions
   std::optional<double> Budget;
   std::optional<int> Frames;
   std::optional<int> ReferenceSamples;
+  std::string Cases;
+  bool Quick = false;
   std::string Output;
 };
 
@@ -97,7 +101,8 @@ std::string GetBudgets()
   for (const std::string& name : BenchPlans::GetSuites())
   {
     const BenchPlan plan = BenchPlans::Load(name);
-    const double seconds = plan.Cases.empty() ? BenchCase().Budget : plan.GetBudget();
+    const double seconds =
+      plan.Cases.empty() && plan.Extremes.empty() ? BenchCase().Budget : plan.GetBudget();
     text += name + " " + std::to_string(static_cast<int>(std::lround(seconds))) + ", ";
   }
   return text.substr(0, text.size() - 2) + ".";
@@ -118,6 +123,28 @@ void CheckBudget(const BenchPlan& plan, double given)
 }
 
 //------------------------------------------------------------------------------
+void SelectCases(BenchPlan& plan, const std::vector<std::string>& names)
+{
+  if (!plan.Extremes.empty())
+  {
+    ExtremePlans::Select(plan.Extremes, names);
+    return;
+  }
+  std::vector<BenchCase> selected;
+  for (const std::string& name : names)
+  {
+    const auto found = std::find_if(plan.Cases.begin(), plan.Cases.end(),
+      [&name](const BenchCase& one) { return one.Id == name; });
+    if (found == plan.Cases.end())
+    {
+      throw WrongUsage("--cases: suite " + plan.Name + " has no case \"" + name + "\".");
+    }
+    selected.push_back(*found);
+  }
+  plan.Cases = selected;
+}
+
+//------------------------------------------------------------------------------
 void Override(BenchPlan& plan, const BenchOptions& options)
 {
   if (!options.Techniques.empty())
@@ -129,6 +156,15 @@ void Override(BenchPlan& plan, const BenchOptions& options)
   {
     CheckBudget(plan, *options.Budget);
   }
+  if (options.Quick)
+  {
+    ExtremePlans::KeepQuick(plan.Extremes);
+  }
+  if (!options.Cases.empty())
+  {
+    SelectCases(plan, Values::Split(options.Cases));
+  }
+  plan.Default.ReferenceSamples = options.ReferenceSamples.value_or(plan.Default.ReferenceSamples);
   const double share = options.Budget ? *options.Budget / plan.GetBudget() : 1.0;
   for (BenchCase& one : plan.Cases)
   {
@@ -150,7 +186,7 @@ std::vector<BenchPlan> MakePlans(const BenchOptions& options, const CLI::App& co
                                                         : Values::Split(options.Suites))
   {
     BenchPlan plan = BenchPlans::Load(name);
-    const bool needsScene = plan.Cases.empty();
+    const bool needsScene = plan.Cases.empty() && plan.Extremes.empty();
     if (needsScene && all)
     {
       continue; // there is none to measure it with
@@ -168,7 +204,7 @@ std::vector<BenchPlan> MakePlans(const BenchOptions& options, const CLI::App& co
     {
       Values::RefuseOthers(command,
         { "--suite", "--techniques", "--sweep", "--budget", "--frames", "--reference-samples",
-          "--output" },
+          "--cases", "--quick", "--output" },
         "a suite, which has its own scenes.");
     }
     plans.push_back(plan);
@@ -221,6 +257,57 @@ void Measure(
 }
 
 //------------------------------------------------------------------------------
+void Write(const std::string& folder, const std::vector<std::string>& inputs,
+  const std::vector<std::pair<std::string, std::string>>& files)
+{
+  if (folder.empty())
+  {
+    return;
+  }
+  Outputs outputs(inputs);
+  for (const auto& file : files)
+  {
+    outputs.StageText(folder + "/" + file.first, file.second);
+  }
+  outputs.Commit();
+}
+
+//------------------------------------------------------------------------------
+// The same for a suite that sweeps cases to their limits: what does not hold is a failure, too.
+std::string RunExtremes(const BenchPlan& plan, const std::string& folder,
+  const std::vector<std::string>& inputs, const std::string& commandLine)
+{
+  const Interruption interruption;
+  ExtremeResults results(plan, commandLine);
+  const auto start = std::chrono::steady_clock::now();
+  for (const ExtremeCase& one : plan.Extremes)
+  {
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    if (taken.count() > plan.GetBudget())
+    {
+      results.AddFailure(one.Name, "the time was over before it was measured");
+      continue;
+    }
+    try
+    {
+      ExtremeMeasure measure(plan); // VTK keeps each shader until its window goes
+      results.Add(one, measure.Run(one));
+    }
+    catch (const Failure& failure)
+    {
+      results.AddFailure(one.Name, failure.what());
+    }
+    if (Interruption::IsAsked())
+    {
+      results.SetIncomplete();
+      break;
+    }
+  }
+  Write(folder, inputs, results.GetFiles());
+  return results.GetFailure();
+}
+
+//------------------------------------------------------------------------------
 // A suite is handed over when it is done, or as far as it came. Gives what kept a case from being
 // measured, or "".
 std::string Run(const BenchPlan& plan, const std::string& folder,
@@ -248,16 +335,7 @@ std::string Run(const BenchPlan& plan, const std::string& folder,
   {
     results.SetIncomplete();
   }
-  if (!folder.empty())
-  {
-    const auto files = results.GetFiles();
-    Outputs outputs(inputs);
-    for (const auto& file : files)
-    {
-      outputs.StageText(folder + "/" + file.first, file.second);
-    }
-    outputs.Commit();
-  }
+  Write(folder, inputs, results.GetFiles());
   return results.GetFailure();
 }
 
@@ -306,7 +384,8 @@ void Bench(const CLI::App& command, const BenchOptions& options, const std::stri
   std::string failure;
   for (std::size_t i = 0; i < plans.size(); ++i)
   {
-    const std::string reason = Run(plans[i], folders[i], inputs, commandLine);
+    const auto run = plans[i].Extremes.empty() ? Run : RunExtremes;
+    const std::string reason = run(plans[i], folders[i], inputs, commandLine);
     failure = failure.empty() ? reason : failure;
     if (Interruption::IsAsked())
     {
@@ -340,6 +419,13 @@ void DeclareBench(CLI::App& app, const std::string& commandLine)
     ->add_option("--suite", options->Suites,
       "Suites instead of a scene, separated by commas: " + suites + "files, or all")
     ->type_name("A,B,...")
+    ->group("Scene");
+  command->add_option("--cases", options->Cases, "Of the suite, these cases alone, by their names")
+    ->type_name("A,B,...")
+    ->group("Scene");
+  command
+    ->add_flag("--quick", options->Quick,
+      "Of a suite that sweeps cases to their limits, the values that take seconds instead of hours")
     ->group("Scene");
   command
     ->add_option("--lights", options->Lights,

@@ -139,6 +139,10 @@ std::string BenchEntry::GetId() const
 //------------------------------------------------------------------------------
 double BenchPlan::GetBudget() const
 {
+  if (!this->Extremes.empty())
+  {
+    return this->Default.Budget;
+  }
   return std::accumulate(this->Cases.begin(), this->Cases.end(), 0.0,
     [](double sum, const BenchCase& one) { return sum + one.Budget; });
 }

@@ -5,6 +5,7 @@
 #ifndef BenchPlan_h
 #define BenchPlan_h
 
+#include "ExtremePlan.h"
 #include "SceneOptions.h"
 #include "Techniques.h"
 
@@ -66,10 +67,11 @@ struct BenchPlan
   std::string Title;
   std::string About;
   std::vector<BenchCase> Cases;
-  bool CasesFromSuite = true;      // not from the command line
-  BenchCase Default;               // what a scene of the user's own takes from the plan
-  std::vector<BenchEntry> Entries; // the first draws no shadows
-  int Frames = 15;                 // wanted for each median
+  bool CasesFromSuite = true;        // not from the command line
+  BenchCase Default;                 // what a scene of the user's own takes from the plan
+  std::vector<BenchEntry> Entries;   // the first draws no shadows
+  std::vector<ExtremeCase> Extremes; // instead of cases: what is swept to its limits
+  int Frames = 15;                   // wanted for each median
   nlohmann::ordered_json Published;
 
   /** Seconds of all cases. */

@@ -257,6 +257,24 @@ std::vector<BenchEntry> ReadEntries(const Json& json)
   }
   return entries;
 }
+
+//------------------------------------------------------------------------------
+// The row, for each technique of this build where it stands for all.
+std::vector<Json> NameTechniques(const Json& row)
+{
+  if (row.value("technique", "") != "*")
+  {
+    return { row };
+  }
+  std::vector<Json> rows;
+  for (const std::string& name : Techniques::GetNames())
+  {
+    rows.push_back(row);
+    rows.back()["technique"] = name;
+  }
+  return rows;
+}
+
 //------------------------------------------------------------------------------
 BenchPlan ReadPlan(const Json& suite, const std::string& name, const std::string& file)
 {
@@ -274,10 +292,14 @@ BenchPlan ReadPlan(const Json& suite, const std::string& name, const std::string
   plan.Default = ReadCase({ { "scene", "" } }, suite, file);
   plan.Entries.emplace_back();
   plan.Entries.front().Published = plan.Published;
+  plan.Extremes = ExtremePlans::Read(suite);
   for (const Json& row : suite["entries"])
   {
-    const auto entries = ReadEntries(row);
-    plan.Entries.insert(plan.Entries.end(), entries.begin(), entries.end());
+    for (const Json& named : NameTechniques(row))
+    {
+      const auto entries = ReadEntries(named);
+      plan.Entries.insert(plan.Entries.end(), entries.begin(), entries.end());
+    }
   }
   return plan;
 }

@@ -18,11 +18,11 @@ void main()
   float depth = first;
   if (second < 1.0 && texelFetch(shadowSides, texel, 0).r > 0.75)
   {
-    vec2 depths = vec2(first, second);
-    vec2 distances = shadowDepthForm.y / (shadowDepthForm.x - depths);
-    depth = shadowDepthForm.y > 0.0
-      ? shadowDepthForm.x - 2.0 * shadowDepthForm.y / (distances.x + distances.y)
-      : 0.5 * (first + second);
+    // Of distances the middle: a sum of small terms, so that floats hold far from the light too.
+    float middle = 0.5 * (first + second);
+    float apart = second - first;
+    depth = middle + (shadowDepthForm.y > 0.0
+      ? 0.25 * apart * apart / (shadowDepthForm.x - middle) : 0.0);
   }
   gl_FragDepth = depth;
 }
