@@ -16,9 +16,16 @@ set(softshadows_vtk_components
   RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType RenderingLOD RenderingOpenGL2
   RenderingUI RenderingVolume RenderingVolumeOpenGL2 TestingCore TestingRendering vtksys)
 if (SOFTSHADOWS_WRAP_PYTHON)
-  list(APPEND softshadows_vtk_components Python WrappingPythonCore WrapPython)
+  # The tool: a component that newer VTKs do not count as found where it is required.
+  list(APPEND softshadows_vtk_components
+    Python WrappingPythonCore OPTIONAL_COMPONENTS WrapPython)
 endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${softshadows_vtk_components})
+# PYTHONPATH of what is run from the build: our package, and VTK's where Python has another one or none.
+set(softshadows_pythonpath "${softshadows_python}")
+if (SOFTSHADOWS_WHEEL)
+  string(APPEND softshadows_pythonpath ":${VTK_PREFIX_PATH}")
+endif ()
 
 find_package(OpenGL REQUIRED COMPONENTS OpenGL)
 find_package(glm REQUIRED)
@@ -30,7 +37,7 @@ if (SOFTSHADOWS_RAY_TRACING)
   find_package(embree 3 REQUIRED)
   find_package(TBB REQUIRED COMPONENTS tbb)
 endif ()
-if (SOFTSHADOWS_IMAGE_METRICS)
+if (SOFTSHADOWS_IMAGE_METRICS AND SOFTSHADOWS_OPENIMAGEIO)
   find_package(OpenImageIO REQUIRED)
   # Debian's package names an OpenCV include folder that need not exist.
   get_target_property(oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)

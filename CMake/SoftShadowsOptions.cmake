@@ -8,6 +8,9 @@ endif ()
 option(BUILD_SHARED_LIBS "Build shared libraries (Python needs them)" ON)
 option(SOFTSHADOWS_WRAP_PYTHON "Wrap for Python (package vtksoftshadows)" ON)
 option(SOFTSHADOWS_BUILD_APPS "Build the command softshadows" ON)
+# Set by CMake/Wheel/vtk_sdk.py: the layout of a wheel beside VTK's.
+option(SOFTSHADOWS_WHEEL "Build for the VTK of the Python package index" OFF)
+mark_as_advanced(SOFTSHADOWS_WHEEL)
 
 # The families of techniques: option, module, what it is.
 set(softshadows_families
@@ -28,7 +31,13 @@ foreach (family IN LISTS softshadows_families)
   list(APPEND softshadows_switches "${option}:${module}")
 endforeach ()
 
-option(SOFTSHADOWS_IMAGE_METRICS "Reading, writing and comparing pictures (OpenImageIO)" ON)
+option(SOFTSHADOWS_IMAGE_METRICS "Reading, writing and comparing pictures" ON)
+set(softshadows_openimageio ON)
+if (SOFTSHADOWS_WHEEL)
+  set(softshadows_openimageio OFF) # it passes strings, in another form than VTK's wheel
+endif ()
+option(SOFTSHADOWS_OPENIMAGEIO "Image files by OpenImageIO; else a few formats by VTK"
+  ${softshadows_openimageio})
 option(SOFTSHADOWS_SCENES "Built-in scenes" ON)
 option(SOFTSHADOWS_WERROR "Warnings of our own sources are errors" OFF)
 include(CTest)
@@ -69,6 +78,16 @@ set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
 # A build can be moved.
 set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)
 set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+set(softshadows_python_destination "lib/python")
+if (SOFTSHADOWS_WHEEL)
+  # A package beside vtkmodules, with the rest of a prefix in it.
+  set(softshadows_python_destination ".")
+  set(CMAKE_INSTALL_LIBDIR "vtksoftshadows/lib")
+  set(CMAKE_INSTALL_BINDIR "vtksoftshadows/bin")
+  set(CMAKE_INSTALL_DATADIR "vtksoftshadows/share")
+  set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/lib;$ORIGIN/../lib;$ORIGIN/../vtkmodules;$ORIGIN/../../vtkmodules")
+endif ()
+set(softshadows_python "${CMAKE_BINARY_DIR}/${softshadows_python_destination}")
 
 # Warnings for our own sources; wrapping sources that VTK generates are not ours.
 function (softshadows_warnings target)

@@ -34,7 +34,7 @@ if (NOT BUILD_SHARED_LIBS)
       "find_dependency(embree 3)\n"
       "find_dependency(TBB COMPONENTS tbb)\n")
   endif ()
-  if (SOFTSHADOWS_IMAGE_METRICS)
+  if (SOFTSHADOWS_IMAGE_METRICS AND SOFTSHADOWS_OPENIMAGEIO)
     string(APPEND softshadows_find_dependencies "find_dependency(OpenImageIO)\n")
   endif ()
 endif ()

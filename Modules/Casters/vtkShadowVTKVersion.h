@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What differs between the VTK versions, 9.1 to 9.7: sources include this in the place of what was
-// renamed or moved.
+// renamed or moved. Run were 9.1 (Debian) and 9.5.0 (the wheel); of the others the sources were
+// compiled, no more.
 //
 //   since  what changed                                  how it is handled
 //   9.3    VTK's classes may lie in a namespace of        not supported: our headers declare them
@@ -14,6 +15,11 @@
 //   9.4    functions of OpenGL 1.1 are pointers too       only Testing/Cxx/BadInputGPU.cxx minds
 //   9.4    vtkVector.h holds the operators, and           included here
 //          vtkVectorOperators.h is gone in 9.6
+//   9.4    the window is chosen at run time: X, EGL      Python's warning for want of a display
+//                                                         is for older ones
+//   9.5    nothing is made of a module without classes   Drawing says EXCLUDE_WRAP
+//          to wrap, but what depends on it imports it
+//   9.5    the component WrapPython is never found        CMake asks for it as an optional one
 //   9.7    a module's target is named after its library   CMake names modules by their aliases
 //
 // The text of VTK's shaders that vtkShadowInjection.cxx relies on is the same in all of them.

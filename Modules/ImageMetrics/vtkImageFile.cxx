@@ -2,21 +2,17 @@
 #include "vtkImageFile.h"
 
 #include "vtkFloatArray.h"
+#include "vtkImageCodec.h"
 #include "vtkImageMetricsPrivate.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-
-#include <algorithm>
 #include <cerrno>
-#include <cstddef>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <memory>
+#include <random>
 #include <system_error>
-#include <type_traits>
 #include <vector>
 
 vtkStandardNewMacro(vtkImageFile);
@@ -25,58 +21,6 @@ namespace
 {
 namespace fs = std::filesystem;
 using namespace vtkImageMetricsPrivate;
-
-//------------------------------------------------------------------------------
-// The file's own words for what went wrong. Both sources are emptied: OpenImageIO prints what
-// nobody asked for when the program ends.
-template <typename File>
-std::string Reason(const std::unique_ptr<File>& file)
-{
-  std::string reason = file ? file->geterror() : std::string();
-  const std::string general = OIIO::geterror();
-  reason = reason.empty() ? general : reason;
-  reason.erase(reason.find_last_not_of(" \n\r.") + 1); // the caller ends the sentence
-  return reason.empty() ? "OpenImageIO gives no reason" : reason;
-}
-
-//------------------------------------------------------------------------------
-// Rows of a picture, turned upside down and converted value by value.
-template <typename From, typename To, typename Convert>
-void FlipRows(const From* from, To* to, const int size[2], int components, Convert convert)
-{
-  const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(size[0]) * components;
-  for (int y = 0; y < size[1]; ++y)
-  {
-    const From* source = from + (size[1] - 1 - y) * row;
-    std::transform(source, source + row, to + y * row, convert);
-  }
-}
-
-//------------------------------------------------------------------------------
-// False when the file could not be read, the image is then as it was.
-template <typename Array, typename Value>
-bool ReadPixels(OIIO::ImageInput& input, OIIO::TypeDesc type, vtkImageData* image)
-{
-  const OIIO::ImageSpec& spec = input.spec();
-  std::vector<Value> rows(static_cast<std::size_t>(spec.image_pixels()) * spec.nchannels);
-  if (!input.read_image(0, 0, 0, spec.nchannels, type, rows.data()))
-  {
-    return false;
-  }
-  const int size[2] = { spec.width, spec.height };
-  vtkSmartPointer<Array> pixels = vtkSmartPointer<Array>::New();
-  pixels->SetName("ImageScalars");
-  pixels->SetNumberOfComponents(spec.nchannels);
-  pixels->SetNumberOfTuples(static_cast<vtkIdType>(spec.width) * spec.height);
-  FlipRows(rows.data(), pixels->GetPointer(0), size, spec.nchannels, [](Value v) { return v; });
-
-  image->Initialize();
-  image->SetOrigin(0.0, 0.0, 0.0);
-  image->SetSpacing(1.0, 1.0, 1.0);
-  image->SetDimensions(spec.width, spec.height, 1);
-  image->GetPointData()->SetScalars(pixels);
-  return true;
-}
 
 //------------------------------------------------------------------------------
 // Returns an empty string, or what went wrong.
@@ -91,27 +35,7 @@ std::string ReadFile(const std::string& path, vtkImageData* image)
   {
     return "there is no such file";
   }
-  OIIO::ImageSpec hints;
-  hints.attribute("oiio:UnassociatedAlpha", 1); // colours as stored, not multiplied by alpha
-  std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path, &hints);
-  if (!input)
-  {
-    return Reason(input);
-  }
-  const OIIO::ImageSpec& spec = input->spec();
-  if (spec.deep || spec.depth > 1)
-  {
-    return spec.deep ? "it is a deep image" : "it is a volume";
-  }
-  if (spec.nchannels < 1 || spec.nchannels > 4)
-  {
-    return "it has " + std::to_string(spec.nchannels) + " channels, not 1 to 4";
-  }
-  const bool bytes = spec.format == OIIO::TypeDesc::UINT8;
-  const bool read =
-    bytes ? ReadPixels<vtkUnsignedCharArray, unsigned char>(*input, OIIO::TypeDesc::UINT8, image)
-          : ReadPixels<vtkFloatArray, float>(*input, OIIO::TypeDesc::FLOAT, image);
-  return read ? "" : Reason(input);
+  return vtkImageCodec::Read(path, image);
 }
 
 //------------------------------------------------------------------------------
@@ -125,26 +49,6 @@ struct TemporaryFile
     fs::remove(this->Path, ignored);
   }
 };
-
-//------------------------------------------------------------------------------
-// Write rows to an opened file: bytes where the file holds bytes, else float.
-template <typename Value>
-bool WritePixels(OIIO::ImageOutput& output, const Value* values)
-{
-  const OIIO::ImageSpec& spec = output.spec();
-  const int size[2] = { spec.width, spec.height };
-  const std::size_t count = static_cast<std::size_t>(spec.image_pixels()) * spec.nchannels;
-  if (spec.format == OIIO::TypeDesc::UINT8)
-  {
-    std::vector<unsigned char> rows(count);
-    FlipRows(values, rows.data(), size, spec.nchannels, [](Value v) { return ToByte(v); });
-    return output.write_image(OIIO::TypeDesc::UINT8, rows.data());
-  }
-  const float scale = std::is_same<Value, unsigned char>::value ? 255.0f : 1.0f;
-  std::vector<float> rows(count);
-  FlipRows(values, rows.data(), size, spec.nchannels, [scale](Value v) { return v / scale; });
-  return output.write_image(OIIO::TypeDesc::FLOAT, rows.data());
-}
 
 //------------------------------------------------------------------------------
 // Why this name cannot be given to a file, or an empty string.
@@ -178,10 +82,11 @@ std::string CheckTarget(const fs::path& path, const fs::path& folder)
 std::string Replace(
   const fs::path& path, const fs::path& folder, const std::vector<unsigned char>& content)
 {
-  const std::string unique = OIIO::Filesystem::unique_path(".softshadows-%%%%%%%%%%%%");
+  std::random_device random;
+  const std::string unique = ".softshadows-" + std::to_string(random()) + std::to_string(random());
   const TemporaryFile temporary{ folder / (unique + path.extension().string()) };
   errno = 0;
-  std::FILE* file = OIIO::Filesystem::fopen(temporary.Path.string(), "wb");
+  std::FILE* file = std::fopen(temporary.Path.c_str(), "wb");
   const bool written =
     file && std::fwrite(content.data(), 1, content.size(), file) == content.size();
   int error = written ? 0 : errno;
@@ -195,23 +100,6 @@ std::string Replace(
     fs::rename(temporary.Path, path, code);
   }
   return code ? code.message() : written ? "" : "it could not be written completely";
-}
-
-//------------------------------------------------------------------------------
-OIIO::ImageSpec Describe(
-  const int size[2], int components, OIIO::TypeDesc type, const std::string& software)
-{
-  OIIO::ImageSpec spec(size[0], size[1], components, type);
-  if (components == 1)
-  {
-    spec.channelnames = { "Y" };
-  }
-  spec.attribute("oiio:UnassociatedAlpha", 1); // colours as they are, not divided by alpha
-  if (!software.empty())
-  {
-    spec.attribute("Software", software);
-  }
-  return spec;
 }
 
 //------------------------------------------------------------------------------
@@ -249,42 +137,12 @@ std::string WriteFile(const std::string& name, vtkImageData* image, const std::s
   {
     return failure;
   }
-  std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(name);
-  if (!output)
-  {
-    return Reason(output);
-  }
-  const std::string format = output->format_name();
-  if (!output->supports("ioproxy"))
-  {
-    return "the format " + format + " can be read only";
-  }
-  if ((components == 4 && !output->supports("alpha")) || (components == 1 && format == "dpx"))
-  {
-    // Checked here, since these drop the alpha in silence, or end the program.
-    return "the format " + format + " cannot store " + std::to_string(components) + " components";
-  }
-  // EXR would otherwise store bytes as half floats.
-  const OIIO::TypeDesc type =
-    floats || format == "openexr" ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
-  const OIIO::ImageSpec spec = Describe(image->GetDimensions(), components, type, software);
-
-  // Encoded in memory and then written here, because not every format notices a full disk.
+  vtkNew<vtkImageData> plain;
+  plain->SetDimensions(image->GetDimensions());
+  plain->GetPointData()->SetScalars(floats ? static_cast<vtkDataArray*>(floats) : bytes);
+  // Encoded in memory and then written here, so that a failure leaves nothing.
   std::vector<unsigned char> encoded;
-  OIIO::Filesystem::IOVecOutput memory(encoded);
-  bool done = output->set_ioproxy(&memory) && output->open(name, spec);
-  if (done)
-  {
-    done = floats ? WritePixels(*output, floats->GetPointer(0))
-                  : WritePixels(*output, bytes->GetPointer(0));
-  }
-  failure = done ? "" : Reason(output);
-  if (!output->close() && failure.empty())
-  {
-    failure = Reason(output);
-  }
-  output.reset();
-  OIIO::geterror();
+  failure = vtkImageCodec::Encode(name, plain, software, encoded);
   return failure.empty() ? Replace(path, folder, encoded) : failure;
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkImageFile
- * @brief   Reads and writes pictures and visibility as image files, through OpenImageIO.
+ * @brief   Reads and writes pictures and visibility as image files.
  *
  * The format follows from the file's extension: PNG, EXR, TIFF, BMP and whatever else OpenImageIO
- * knows (for writing: whatever it can encode in memory). A file begins with its top row, a
+ * knows (for writing: whatever it can encode in memory). Built without OpenImageIO it is these
+ * four, through VTK, and EXR without compression. A file begins with its top row, a
  * vtkImageData with its bottom row: both functions flip, so that the first tuple is the bottom
  * left pixel.
  *

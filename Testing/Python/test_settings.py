@@ -120,7 +120,7 @@ class Visibilities(TestCase):
             shadows = vss.enable(scene.renderer, name)
             scene.window.Render()
             images = [shadows.GetVisibility(light) for light in lights]
-            self.assertEqual(len(set(images)), 2)
+            self.assertEqual(len({image.__this__ for image in images}), 2)
             values = [array(image, "Visibility") for image in images]
             self.assertGreater(np.mean(values[0] != values[1]), 0.02)
             before = [value.copy() for value in values]
