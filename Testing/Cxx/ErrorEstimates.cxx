@@ -54,8 +54,10 @@ int CountHeld(ShadowStage& stage, const std::string& technique, int light)
     const auto& bias = figures["biasInterval"];
     held += whole.RMSE > rmse[0].get<double>() - own && whole.RMSE < rmse[1].get<double>() + own;
     held += whole.Bias > bias[0].get<double>() - own && whole.Bias < bias[1].get<double>() + own;
+    // Of a thousand pixels, where few hold most of the error (wedges): a kurtosis of 200 gives 0.22 as
+    // the standard deviation.
     ShadowTest::CheckAtMost(std::abs(figures["rmse"].get<double>() - whole.RMSE),
-      0.25 * whole.RMSE + own, technique + ": RMSE that is told, off by");
+      whole.RMSE / 3.0 + own, technique + ": RMSE that is told, off by");
   }
   return held;
 }
