@@ -146,9 +146,8 @@ std::string vtkShadowAdvice::FindBroken(const vtkShadowFrame& frame)
   };
   if (counted("lightsTooLarge"))
   {
-    return "a light is seen by what casts under more than 28 degrees, too large for shadows that "
-           "are "
-           "found from its centre: \"map-soft\" is right there.";
+    return "a light is seen by what casts under more than 28 degrees, too large for shadows "
+           "that are found from its centre: \"map-soft\" is right there.";
   }
   if (counted("lightsWithLayers"))
   {

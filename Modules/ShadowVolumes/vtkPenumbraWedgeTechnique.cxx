@@ -73,6 +73,10 @@ int vtkPenumbraWedgeTechnique::GetSamples()
 bool vtkPenumbraWedgeTechnique::UpdateLightData(vtkShadowFrame& frame)
 {
   const std::string overlap = this->Settings.GetChoice("overlap");
+  if (overlap != "count") // the others take the silhouettes that the light's centre sees
+  {
+    frame.Counts["lightsTooLarge"] = frame.CountLargeLights();
+  }
   const int samples = this->Settings.GetInteger("samples");
   const int split = overlap == "count" ? 1 : this->Settings.GetInteger("split");
   vtkShadowVolumeSettings settings;

@@ -75,6 +75,7 @@ void vtkVirtualSoftShadowMapTechnique::FindSide(vtkShadowFrame& frame)
 //------------------------------------------------------------------------------
 bool vtkVirtualSoftShadowMapTechnique::UpdateLightData(vtkShadowFrame& frame)
 {
+  frame.Counts["lightsTooLarge"] = frame.CountLargeLights();
   int largest = 1024;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
   const int coarse =

@@ -272,7 +272,7 @@ class Sizes(TestCase):
     def test_a_light_that_is_too_large_for_a_filter(self):
         def change(light):
             light.SetRadius(2.5)  # from six away, of a scene of eight
-        for technique in ("map-pcss", "planar-fake", "occlusion-textures"):
+        for technique in ("map-pcss", "planar-fake", "occlusion-textures", "virtual-maps", "wedges"):
             with self.subTest(technique=technique):
                 self.assertIn('"map-soft" is right there', self.say(change, technique))
         self.assertEqual(self.say(change, "map-soft"), "")
