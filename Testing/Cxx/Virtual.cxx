@@ -113,6 +113,34 @@ SHADOW_TEST(Virtual, PagesAreKept, Once)
 }
 
 //------------------------------------------------------------------------------
+// A lamp close above a box, which hides all of the floor from it as far as that goes: what a kernel,
+// wider than the map by far, has beyond the light's plane, leaves nothing of the light free. What is
+// left is light along the horizon: a strip 1/50 high as a tangent, and half a texel, of kernels that
+// reach down by one at least.
+SHADOW_TEST(Virtual, LampCloseAboveABox, Once)
+{
+  for (const double distance : { 0.01, 0.001 })
+  {
+    ShadowStage stage(100, 100);
+    vtkActor* floor = stage.AddFloor();
+    stage.AddBox({ 0.0, 0.0, 0.6 }, { 1.0, 1.0, 1.2 });
+    vtkAreaLight* light =
+      stage.AddLight(LightKind::Rectangle, { 0.0, 0.0, 1.2 + distance }, { 0.0, 0.0, 0.0 });
+    light->SetWidth(0.1);
+    light->SetHeight(0.1);
+    stage.LookAt({ 3.5, -6.5, 4.5 }, { 0.2, 0.2, 0.3 });
+    stage.SetPass(Name);
+    stage.Render();
+    const Visibility visibility = stage.GetVisibility();
+    Visibility dark = visibility;
+    std::fill(dark.V.begin(), dark.V.end(), 0.0f);
+    const auto use = ShadowOracle(stage).GetMask(floor);
+    ShadowTest::CheckAtMost(Compare(visibility, dark, 0.5, use).Bias, 0.03,
+      "mean visibility on the floor, lamp at " + std::to_string(distance));
+  }
+}
+
+//------------------------------------------------------------------------------
 // What moves drops the pages that it is in, before and after, and no others; and none is stale.
 SHADOW_TEST(Virtual, PagesUnderWhatMovesAreDropped, Once)
 {

@@ -29,6 +29,7 @@ struct shadowSight
   vec2 planeLC;    // the receiver's plane: its depth over the map, times `centre`
   vec2 slopeLC;    // the same, at most so steep as where the light grazes it
   float wobble;    // as slopeLC, of what its normal may be off
+  float steeper;   // so many times as steep the plane may be, by what that takes of a light's height
   bool square;     // (s, t) fill a square, else a disk
   bool positional;
 };
@@ -72,6 +73,9 @@ bool shadowFindSight(int light, int view, vec3 positionVC, vec3 normalVC, out sh
   sight.slopeLC = self * sight.planeLC / height;
   sight.wobble = self * shadowNormalRounding * measures.x * max(measures.y, measures.z) / height *
     dot(normalVC, normalVC); // lines and points have none
+  // Packing is at its coarsest 3.25 times as far off, where the normal is a diagonal.
+  float off = 3.25 * shadowNormalRounding * length(awayVC);
+  sight.steeper = 1.0 / max(1.0 - off / height, 1.0 / 64.0);
   bool inside = form.x < 0.5 || max(abs(tangent.x), abs(tangent.y)) <= 1.000001;
   return w > 0.0 && sight.receiverLC.z > 0.0 && inside;
 }

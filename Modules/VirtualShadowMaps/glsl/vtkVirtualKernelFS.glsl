@@ -73,8 +73,9 @@ mat2 shadowFindFootprint(int view, vec3 positionVC, vec3 normalVC, shadowSight s
 }
 
 // Mean difference of depth to the blockers. What is hardly above the receiver's own plane, by the
-// size of a cell, may be the receiver itself: it counts where there is nothing else.
-float shadowFindMean(int view, shadowSight sight, vec2 footprint, vec2 extent)
+// size of a cell, may be the receiver itself: it counts where there is nothing else. Cells beyond the light's
+// plane do not count.
+float shadowFindMean(int view, shadowSight sight, vec3 ahead, vec2 footprint, vec2 extent)
 {
   float side = float(shadowPyramidResolution);
   vec2 low = clamp(sight.receiverLC.xy - extent, 0.0, 1.0) * side;
@@ -99,7 +100,8 @@ float shadowFindMean(int view, shadowSight sight, vec2 footprint, vec2 extent)
       vec2 end = min(vec2(x, y) + 1.0, high);
       vec2 depths = shadowFetchSides(ivec2(x, y), layer, level);
       vec2 offset = 0.5 * (first + end) * cellLC - sight.receiverLC.xy;
-      float reference = sight.receiverLC.z + min(dot(sight.slopeLC, offset), 0.0);
+      float reference =
+        sight.receiverLC.z + sight.steeper * min(dot(sight.slopeLC, offset), 0.0);
       float above = reference - depths.x;
       // The middle between the two sides of a body, where both are in front.
       bool both = depths.y < min(reference - unclear, 1.0);
@@ -107,6 +109,7 @@ float shadowFindMean(int view, shadowSight sight, vec2 footprint, vec2 extent)
       float nearer = sight.receiverLC.z - middle;
       // Behind the far plane all casters are in front.
       bool blocks = depths.x < min(reference, 1.0) &&
+        ahead.x + dot(ahead.yz, offset) + 0.5 * dot(abs(ahead.yz), cellLC) >= 0.0 &&
         all(lessThanEqual(abs(offset) - 0.5 * cellLC, nearer * unit + footprint));
       float sure = clamp(above / unclear, 1e-3, 1.0);
       float weight = blocks ? sure * (end.x - first.x) * (end.y - first.y) : 0.0;
@@ -218,7 +221,8 @@ void main()
     }
   }
   extent = shadowExtent(sight, delta) + footprint;
-  delta = shadowFindMean(view, sight, footprint, extent);
+  delta = shadowFindMean(
+    view, sight, shadowFindAhead(shadowLight, view, receiverVC.xyz), footprint, extent);
 
   float shape = sqrt(SHADOW_VIEW(view, 6).y);
   mat2 soft = delta * shape * mat2(sight.axisULC, sight.axisVLC);

@@ -21,7 +21,8 @@ uniform int shadowLight;
 // Texels along a side of a kernel, before some are left out.
 const float shadowMostTaps = SHADOW_MOST_TAPS;
 
-// Of the light above the receiver's horizon: hidden, and all; of all; looks at texels.
+// Ahead of the light's plane: what is above the receiver's horizon and hidden, what is above, and all; looks at
+// texels.
 vec4 shadowSums = vec4(0.0);
 
 // Of a parallelogram's side, what bounds the height at a place: half of it, and how it rises.
@@ -40,8 +41,8 @@ float shadowFindWeight(vec2 place, vec2 even)
   return weight.x * weight.y;
 }
 
-void shadowAddTile(vec4 rectangleLC, vec4 where, int layer, shadowSight sight, vec4 kernel, vec2 even,
-  float cut, float cutDelta)
+void shadowAddTile(vec4 rectangleLC, vec4 where, int layer, shadowSight sight, vec3 ahead, vec4 kernel,
+  vec2 even, float cut, float cutDelta)
 {
   // All in texels of the tile from here on.
   vec2 size = where.zw;
@@ -60,7 +61,10 @@ void shadowAddTile(vec4 rectangleLC, vec4 where, int layer, shadowSight sight, v
   bool isBox = even.x >= 1.0 && even.y >= 1.0;
   vec2 sideU = shadowFindSide(u, whole, least);
   vec2 sideV = shadowFindSide(v, whole, least);
-  vec2 stride = max(ceil(2.0 * extent / shadowMostTaps), 1.0);
+  // Of what the map has of it.
+  vec2 within =
+    min(sight.receiverLC.xy / texelLC, extent) + min((1.0 - sight.receiverLC.xy) / texelLC, extent);
+  vec2 stride = max(ceil(within / shadowMostTaps), 1.0);
   // A texel's middle is on the receiver's plane; half a texel is for folds of the surface.
   float bias = 0.5 * dot(abs(sight.slopeLC), texelLC);
   float area = texelLC.x * texelLC.y;
@@ -93,8 +97,9 @@ void shadowAddTile(vec4 rectangleLC, vec4 where, int layer, shadowSight sight, v
       vec2 texel = vec2(texelX, min(y + floor(0.5 * stride.y), size.y - 1.0));
       float depth = texelFetch(shadowTiles, ivec3(where.xy + texel, layer), 0).r;
       vec2 offset = (texel + 0.5 - centre) * texelLC;
-      float reference = sight.receiverLC.z + min(dot(sight.slopeLC, offset), 0.0) - bias -
-        sight.wobble * (abs(offset.x) + abs(offset.y));
+      float reference = sight.receiverLC.z - bias + sight.steeper *
+        (min(dot(sight.slopeLC, offset), 0.0) - sight.wobble * (abs(offset.x) + abs(offset.y)));
+      weight *= ahead.x + dot(ahead.yz, offset) >= 0.0 ? 1.0 : 0.0;
       bool above = sight.centre * cutDelta + cut * dot(sight.planeLC, offset) >= 0.0;
       shadowSums += vec4(above && depth < min(reference, 1.0) ? weight : 0.0, above ? weight : 0.0,
         weight, 1.0);
@@ -118,6 +123,7 @@ void main()
     vec2 even = shadowGetEven(code);
     shadowSight sight;
     shadowFindSight(shadowLight, view, receiverVC.xyz, receiver.normalVC, sight);
+    vec3 ahead = shadowFindAhead(shadowLight, view, receiverVC.xyz);
     // Where the horizon cuts the light, what lies below it is hidden already.
     float cut = 0.0;
     float cutDelta = 0.0;
@@ -149,8 +155,8 @@ void main()
         {
           vec2 corner = vec2(x, y);
           shadowAddTile(vec4(corner, corner + 1.0) / pages.xyxy,
-            vec4(0.0, 0.0, SHADOW_PAGE_SIDE, SHADOW_PAGE_SIDE), int(layer), sight, kernel, even, cut,
-            cutDelta);
+            vec4(0.0, 0.0, SHADOW_PAGE_SIDE, SHADOW_PAGE_SIDE), int(layer), sight, ahead, kernel, even,
+            cut, cutDelta);
         }
       }
     }
@@ -164,8 +170,8 @@ void main()
       bool apart = any(greaterThan(rectangleLC.xy, high)) || any(lessThan(rectangleLC.zw, low));
       if (!apart && kind.y > 1.5 && int(kind.w) == shadowBatch)
       {
-        shadowAddTile(rectangleLC, texelFetch(shadowNodes, 3 * node + 2), int(kind.z), sight, kernel,
-          even, cut, cutDelta);
+        shadowAddTile(rectangleLC, texelFetch(shadowNodes, 3 * node + 2), int(kind.z), sight, ahead,
+          kernel, even, cut, cutDelta);
       }
       node = apart || kind.y > 0.5 ? int(kind.x) : node + 1;
     }

@@ -82,8 +82,11 @@ SHADOW_VISIBILITY shadowVisibility(int light, vec3 positionVC, vec3 normalVC)
     vec2 over = (max(reach - centre, 0.0) * vec2(lessThan(bounds.xy, vec2(0.0))) +
       max(centre + reach - 1.0, 0.0) * vec2(greaterThan(bounds.zw, vec2(1.0)))) / (2.0 * reach);
     vec2 within = max(1.0 - over, 1e-3);
+    vec3 ahead = shadowFindAhead(light, view, positionVC);
+    float share =
+      shadowAbove(ahead.x, dot(ahead.yz, kernel.xy), dot(ahead.yz, kernel.zw), true);
     float beside = cut ? sums.z * (1.0 / (within.x * within.y) - 1.0)
-      : 4.0 * abs(kernel.x * kernel.w - kernel.y * kernel.z) - sums.z;
+      : 4.0 * share * abs(kernel.x * kernel.w - kernel.y * kernel.z) - sums.z;
     bool crosses = any(lessThan(centre, reach)) || any(greaterThan(centre + reach, vec2(1.0)));
     beside = crosses ? max(beside, 0.0) : 0.0;
     float all = sums.y + beside;
