@@ -196,7 +196,8 @@ struct Lamp
 };
 
 const Lamp Sun = { "a sun", LightKind::Directional, { 4.0, 3.0, 5.0 } };
-const Lamp Outside = { "a lamp outside", LightKind::Point, { 4.0, 3.2, 6.0 } }; // in no wall's plane
+const Lamp Outside = { "a lamp outside", LightKind::Point,
+  { 4.0, 3.2, 6.0 } }; // in no wall's plane
 
 /** Pixels that are receivers of the same V as all around: away from the edges of shadows and things. */
 std::vector<unsigned char> GetEven(const Visibility& visibility)
