@@ -291,11 +291,12 @@ void vtkPenumbraLines::Make(vtkShadowFrame& frame, const vtkShadowSilhouetteCach
       vtkShadowWedgeEdge edge;
       edge.Ends[0] = GetVertex(caster, line.From);
       edge.Ends[1] = GetVertex(caster, line.To);
-      edge.SetPlane(light.Place);
+      edge.SetPlane(light);
       for (int k = 0; k < line.Times; ++k)
       {
         this->Lines.insert(this->Lines.end(), { line.From, line.To });
         planes.emplace_back(edge.Plane);
+        planes.emplace_back(edge.Width);
       }
     }
     this->Parts.back().Count = this->Lines.size() - this->Parts.back().First;

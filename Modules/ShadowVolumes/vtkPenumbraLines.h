@@ -3,8 +3,8 @@
 // lines that are nearly straight are one, as far as the picture does not tell.
 //
 //   lines   index buffer  8 bytes a line: pairs of the casters' vertices
-//   planes  RGBA32F       a texel a line, Width a row: through the light's centre and the line, in SWC,
-//                         positive where the caster is
+//   planes  RGBA32F       two texels a line, Width a row: the plane through the light's centre and the
+//                         line, in SWC, positive where the caster is; and the penumbra's half width
 //
 // A run moves by an angle that the light sees, its vertices against the line between its ends, and so does
 // its shadow. What a pixel is as such an angle depends on where the shadow falls: the least of all places
@@ -32,7 +32,7 @@ struct vtkShadowFrame;
 class vtkPenumbraLines
 {
 public:
-  /** Planes in a row of their texture. */
+  /** Texels in a row of the planes' texture: even. */
   static constexpr int Width = 1024;
 
   /** A vertex of a caster's mesh in SWC. */

@@ -39,10 +39,11 @@ vtkShadowDeclaration Wedges()
       "silhouettes of "
       "its own; parts of disks and spheres are smaller ones of the same area together")
       .At({ 1, 1, 1, 3 }),
-    vtkShadowParameter::Real("merge", 0.25, 0.0, 4.0,
+    vtkShadowParameter::Real("merge", 0.0, 0.0, 4.0,
       "With overlap=sum and loops: silhouettes' runs of short edges that are straight to within so "
       "much "
-      "of what the picture shows are one edge; 0: every edge has a wedge")
+      "of what the picture shows are one edge, for some wrong pixels on thin bodies; 0: every edge "
+      "has a wedge")
       .In("pixels"),
     vtkShadowParameter::Choice("bounds", "tight", { "tight", "sphere" },
       "What bounds a wedge: the hull of the light's own corners, or four planes around a sphere "
@@ -50,8 +51,8 @@ vtkShadowDeclaration Wedges()
   };
   t.DebugViews = { "centre", "inner", "outer", "edges", "wedges" };
   t.Resources = { "on the CPU: adjacency, about 41 bytes a triangle of a closed mesh, once a mesh",
-    "silhouettes, 8 bytes an edge (16 of open meshes), and 16 bytes for its plane",
-    "wedges, about 3 KiB an edge (4.5 KiB with overlap=count)",
+    "silhouettes, 8 bytes an edge (16 of open meshes), and 32 bytes for its plane",
+    "wedges, about 3.8 KiB an edge (5.3 KiB with overlap=count)",
     "where volumes are counted by z-fail: caps, 12 bytes a triangle",
     "receivers 16 bytes, their depth 4 bytes, that of volumes with the stencil 8 bytes, sums 8 "
     "bytes "

@@ -24,7 +24,7 @@
  *                    the paper's section 5.1, or a count for each sample of the light
  *   samples  64      1 to 256: of overlap=count
  *   split    1       1 to 4: the light is split x split lights, of overlap=sum and loops
- *   merge    0.25    0 to 4 pixels: runs of edges that are straight to within this are one, of overlap=sum
+ *   merge    0       0 to 4 pixels: runs of edges that are straight to within this are one, of overlap=sum
  *                    and loops; 0: none
  *   bounds   tight   tight or sphere: what bounds a wedge; the picture is the same
  *
@@ -34,9 +34,9 @@
  * The statistics have each view's sum over the pixels: centrePixels and so on; wedgePixels of the cost.
  *
  * Textures and buffers, beside those of vtkShadowSilhouetteCache and vtkShadowVolumes:
- *   wedges   vertex buffer     60 bytes a corner (92 with overlap=count), about 50 corners a wedge
+ *   wedges   vertex buffer     76 bytes a corner (108 with overlap=count), about 50 corners a wedge
  *   lines    index buffer      8 bytes a line of the silhouettes, some of which are runs
- *   planes   RGBA32F           1024 wide: a texel a line
+ *   planes   RGBA32F           1024 wide: two texels a line
  *   sums     RG32F, RGBA32F with a textured light
  *                              viewport size: how often the centre is hidden, what edges let through
  *   loops    2 x RG32F         viewport size: what loops hide, what holes let through; of overlap=loops, a

@@ -11,6 +11,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
@@ -106,6 +107,7 @@ void vtkPenumbraWedges::AddWedge(const vtkShadowWedgeEdge& edge, vtkShadowWedge:
     Append(this->Values, edge.Ends[0]);
     Append(this->Values, edge.Ends[1]);
     Append(this->Values, edge.Plane);
+    Append(this->Values, edge.Width);
     this->Values.push_back(static_cast<float>(edge.Times));
     if (this->OfEdges)
     {
@@ -142,7 +144,8 @@ void vtkPenumbraWedges::Upload()
 {
   glBindVertexArray(0);
   std::vector<vtkShadowVertices::Attribute> attributes = { { "wedgeCornerSWC", 4 },
-    { "wedgeFromSWC", 3 }, { "wedgeToSWC", 3 }, { "wedgePlaneSWC", 4 }, { "wedgeTimes", 1 } };
+    { "wedgeFromSWC", 3 }, { "wedgeToSWC", 3 }, { "wedgePlaneSWC", 4 }, { "wedgeWidthSWC", 4 },
+    { "wedgeTimes", 1 } };
   if (this->OfEdges)
   {
     attributes.push_back({ "wedgeFirstFaceSWC", 4 });
@@ -167,7 +170,7 @@ void vtkPenumbraWedges::MakeOfSilhouette(vtkShadowFrame& frame, vtkShadowWedge::
       vtkShadowWedgeEdge edge;
       edge.Ends[0] = vtkPenumbraLines::GetVertex(caster, lines[i]);
       edge.Ends[1] = vtkPenumbraLines::GetVertex(caster, lines[i + 1]);
-      edge.SetPlane(this->Light.Place);
+      edge.SetPlane(this->Light);
       edge.Times = 0;
       for (const std::size_t same = i; i < part.First + part.Count && lines[i] == lines[same] &&
                                        lines[i + 1] == lines[same + 1];
@@ -187,12 +190,7 @@ void vtkPenumbraWedges::MakeOfSilhouette(vtkShadowFrame& frame, vtkShadowWedge::
 //------------------------------------------------------------------------------
 int vtkPenumbraWedges::FindSide(const glm::dvec4& plane) const
 {
-  const glm::dvec3 normal(plane);
-  const double u = std::abs(glm::dot(normal, this->Light.U));
-  const double v = std::abs(glm::dot(normal, this->Light.V));
-  const double reach = this->Light.Kind == Shape::Rectangle ? u + v
-                       : this->Light.Kind == Shape::Sphere  ? glm::length(this->Light.U)
-                                                            : std::hypot(u, v);
+  const double reach = this->Light.GetReach(glm::dvec3(plane));
   const double side = glm::dot(plane, this->Light.Place);
   // A hair more for the rounding of both.
   const double slack =
@@ -227,7 +225,7 @@ void vtkPenumbraWedges::AddEdges(
     edge.Faces[1] = second;
     if (ofCentre != 0)
     {
-      edge.SetPlane(this->Light.Place);
+      edge.SetPlane(this->Light);
     }
     this->AddWedge(edge, bounds);
   };
@@ -330,6 +328,10 @@ void vtkPenumbraWedges::SetLight(const vtkShadowFrame& frame, vtkShaderProgram* 
   const glm::vec3 vVC(turn(v / glm::dot(v, v)));
   const glm::vec3 normalVC(turn(glm::normalize(glm::cross(glm::normalize(u), glm::normalize(v)))));
   glm::mat4 VCToSWC(frame.VCToSWC);
+  // Half a pixel at a place, which is even in a parallel view.
+  const double pixel = std::min(glm::length(frame.GetPixelVC(0)), glm::length(frame.GetPixelVC(1)));
+  const glm::vec4 halfPixel(0.5 * pixel * glm::row(frame.VCToClip, 3));
+  program->SetUniform4f("shadowHalfPixel", glm::value_ptr(halfPixel));
   program->SetUniform4f("shadowAreaPlaceVC", glm::value_ptr(placeVC));
   program->SetUniform3f("shadowAreaUVC", glm::value_ptr(uVC));
   program->SetUniform3f("shadowAreaVVC", glm::value_ptr(vVC));

@@ -118,16 +118,33 @@ std::vector<int> FindHull(const std::vector<glm::dvec2>& points)
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowWedgeEdge::SetPlane(const glm::dvec4& place)
+double vtkShadowWedgeLight::GetReach(const glm::dvec3& along) const
 {
-  const glm::dvec3 centre(place);
-  const glm::dvec3 from = this->Ends[0] * place.w - centre;
+  const double u = std::abs(glm::dot(along, this->U));
+  const double v = std::abs(glm::dot(along, this->V));
+  return this->Kind == Shape::Rectangle ? u + v
+         : this->Kind == Shape::Sphere  ? glm::length(this->U)
+                                        : std::hypot(u, v);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowWedgeEdge::SetPlane(const vtkShadowWedgeLight& light)
+{
+  const glm::dvec3 from = this->Ends[0] * light.Place.w - glm::dvec3(light.Place);
   const glm::dvec3 along = this->Ends[1] - this->Ends[0];
   const glm::dvec3 normal = glm::cross(along, from);
   const double length = glm::length(normal);
   const bool seen = length > 1e-12 * glm::length(along) * glm::length(from);
-  this->Plane =
-    seen ? glm::dvec4(normal, -glm::dot(normal, this->Ends[0])) / length : glm::dvec4(0.0);
+  this->Plane = this->Width = glm::dvec4(0.0);
+  if (seen)
+  {
+    this->Plane = glm::dvec4(normal, -glm::dot(normal, this->Ends[0])) / length;
+    // In the plane, across the edge: as far behind it as the light is before it, the penumbra reaches as
+    // far as the light.
+    const glm::dvec3 away = glm::cross(normal, along);
+    const glm::dvec3 width = light.GetReach(glm::dvec3(this->Plane)) / glm::dot(away, from) * away;
+    this->Width = glm::dvec4(width, -glm::dot(width, this->Ends[0]));
+  }
 }
 
 //------------------------------------------------------------------------------

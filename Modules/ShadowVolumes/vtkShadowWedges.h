@@ -24,12 +24,15 @@
 #include <vector>
 
 /** A light, or a part of its area, in SWC. */
-struct vtkShadowWedgeLight
+struct VTKSOFTSHADOWSSHADOWVOLUMES_EXPORT vtkShadowWedgeLight
 {
   vtkShadowLight::Shape Kind = vtkShadowLight::Shape::Rectangle;
   glm::dvec4 Place{ 0.0 }; // its centre, w 1; or the direction to it, w 0
   glm::dvec3 U{ 0.0 };     // half axes
   glm::dvec3 V{ 0.0 };
+
+  /** How far it reaches from its centre along a unit vector. */
+  double GetReach(const glm::dvec3& along) const;
 };
 
 /** A directed edge that casters end at, in SWC. */
@@ -38,13 +41,18 @@ struct VTKSOFTSHADOWSSHADOWVOLUMES_EXPORT vtkShadowWedgeEdge
   glm::dvec3 Ends[2];
   /** Through the light's centre and the edge, of unit normal; positive where the caster is. */
   glm::dvec4 Plane{ 0.0 };
+  /**
+   * Behind the edge, half the width of its penumbra, across the plane, as a linear function of places;
+   * negative before it. 0 where there is no plane.
+   */
+  glm::dvec4 Width{ 0.0 };
   /** How many times it counts; negative where the caster is on the other side. */
   int Times = 1;
   /** Planes of the two faces whose sides as the light sees them make it an edge; 0: none. */
   glm::dvec4 Faces[2]{ glm::dvec4(0.0), glm::dvec4(0.0) };
 
-  /** Set the plane; 0 where the centre lies in line with the edge, from where nothing is seen of it. */
-  void SetPlane(const glm::dvec4& place);
+  /** Set plane and width; 0 where the centre lies in line with the edge, from where nothing is seen of it. */
+  void SetPlane(const vtkShadowWedgeLight& light);
 };
 
 /** The bound of a wedge, or of the part of it that lies in a box. */

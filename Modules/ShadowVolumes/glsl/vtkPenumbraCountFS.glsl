@@ -12,6 +12,7 @@
 flat in vec3 shadowFromVC;
 flat in vec3 shadowToVC;
 flat in vec4 shadowPlaneSWC;
+flat in vec4 shadowWidthSWC;
 flat in float shadowTimes;
 flat in vec4 shadowFirstFaceSWC;
 flat in vec4 shadowSecondFaceSWC;
@@ -55,8 +56,9 @@ void main()
   {
     discard;
   }
-  // Before its own face, whatever rounding has made of it.
-  float height = shadowSelf ? shadowSlack(receiverVC) : 0.0;
+  // Before its own face, whatever rounding has made of it, as far as the picture does not tell.
+  float halfPixel = dot(shadowHalfPixel, vec4(receiverVC.xyz, 1.0));
+  float height = shadowSelf ? shadowSlack(receiverVC, 0.25 * halfPixel) : 0.0;
   vec3 outsideVC = receiverVC.xyz + height * receiver.normalVC;
   vec3 outsideSWC = (shadowVCToSWC * vec4(outsideVC, 1.0)).xyz;
   float times = 0.5 * shadowTimes * (shadowTurn(shadowFirstFaceSWC, outsideSWC)
@@ -83,7 +85,7 @@ void main()
 #endif
   // Where the centre's count does not change, the image alone tells on which side the centre is.
   bool behind = shadowPlaneSWC == vec4(0.0) ? line.z > 0.0
-    : shadowIsBehind(shadowPlaneSWC, receiverVC);
+    : shadowIsBehind(shadowPlaneSWC, shadowWidthSWC, receiverVC);
   vec2 p = first > 0.0 ? from.xy + first * along.xy : from.xy;
   vec2 q = last < 1.0 ? from.xy + last * along.xy : to.xy;
   times = behind ? -times : times;

@@ -18,6 +18,7 @@ uniform vec4 shadowAreaPlaceVC; // centre, w 1; or direction to it, w 0
 uniform vec3 shadowAreaUVC;     // half axes over their squared lengths
 uniform vec3 shadowAreaVVC;
 uniform vec3 shadowAreaNormalVC;
+uniform vec4 shadowHalfPixel;    // how large, as a linear function of places in VC
 uniform mat4 shadowVCToSWC;
 
 // What a receiver sees the light as.
@@ -60,20 +61,24 @@ shadowAreaSeen shadowSeeArea(vec3 positionVC)
   return area;
 }
 
-// What rounding can make of a receiver's place.
-float shadowSlack(vec4 receiverVC)
+// What rounding can make of a receiver's place. What VTK computes its prop with may reach far beyond the
+// scene, and is a bound: it counts up to a length at which it does no harm.
+float shadowSlack(vec4 receiverVC, float most)
 {
-  shadowPropRounding = shadowUnpackReceiver(receiverVC.w).rounding;
+  shadowPropRounding = min(shadowUnpackReceiver(receiverVC.w).rounding, max(most, 0.0));
   return 2.0 * shadowRounding(receiverVC.xyz);
 }
 
 // Whether the light's centre is hidden by what ends at an edge, as far as that edge tells: both
 // what counts and what covers take it from here, so that they change at the same place. Both faces
 // at a silhouette's edge lie on the hidden side, and so do all of their points, whatever rounding
-// makes of them.
-bool shadowIsBehind(vec4 planeSWC, vec4 receiverVC)
+// makes of them. On the wrong side visibility is wrong by as much as that is of the penumbra's half
+// width: at most a hundredth.
+bool shadowIsBehind(vec4 planeSWC, vec4 widthSWC, vec4 receiverVC)
 {
   precise vec3 placeSWC = (shadowVCToSWC * vec4(receiverVC.xyz, 1.0)).xyz;
   precise float side = dot(planeSWC.xyz, placeSWC) + planeSWC.w;
-  return side > -shadowSlack(receiverVC);
+  precise float width = dot(widthSWC.xyz, placeSWC) + widthSWC.w;
+  precise float slack = shadowSlack(receiverVC, 0.005 * width);
+  return side > -slack;
 }

@@ -9,6 +9,7 @@
 //VTK::Output::Dec
 
 flat in vec4 shadowPlaneSWC;
+flat in vec4 shadowWidthSWC;
 
 uniform sampler2DArray shadowReceivers;
 uniform bool shadowPassing; // what is entered before the receiver counts; else what is left behind it
@@ -20,7 +21,7 @@ void main()
   {
     discard;
   }
-  float inside = shadowIsBehind(shadowPlaneSWC, receiverVC) ? 1.0 : 0.0;
+  float inside = shadowIsBehind(shadowPlaneSWC, shadowWidthSWC, receiverVC) ? 1.0 : 0.0;
   float start = gl_FrontFacing == shadowPassing ? 0.0 : 1.0; // inside where counting begins
   if (inside == start)
   {

@@ -9,22 +9,27 @@ layout(triangle_strip, max_vertices = 4) out;
 
 uniform vec4 shadowLightDC; // the light, scaled: see vtkShadowVolumes
 uniform float shadowKeep;   // of the vertex in its end far from the light
-uniform sampler2DArray shadowPlanes; // a plane a line, row by row
+uniform sampler2DArray shadowPlanes; // two texels a line, row by row
 uniform int shadowFirstLine;
 uniform int shadowWidth;
 
 flat out vec4 shadowPlaneSWC;
+flat out vec4 shadowWidthSWC; // half of the penumbra's
 
 void main()
 {
-  int line = shadowFirstLine + gl_PrimitiveIDIn;
-  vec4 planeSWC = texelFetch(shadowPlanes, ivec3(line % shadowWidth, line / shadowWidth, 0), 0);
+  int first = 2 * (shadowFirstLine + gl_PrimitiveIDIn);
+  ivec3 texel = ivec3(first % shadowWidth, first / shadowWidth, 0);
+  vec4 planeSWC = texelFetch(shadowPlanes, texel, 0);
+  vec4 widthSWC = texelFetch(shadowPlanes, texel + ivec3(1, 0, 0), 0);
   for (int i = 0; i < 2; ++i)
   {
     shadowPlaneSWC = planeSWC;
+    shadowWidthSWC = widthSWC;
     gl_Position = gl_in[i].gl_Position;
     EmitVertex();
     shadowPlaneSWC = planeSWC;
+    shadowWidthSWC = widthSWC;
     gl_Position = shadowKeep * gl_in[i].gl_Position - shadowLightDC;
     EmitVertex();
   }

@@ -10,6 +10,7 @@
 flat in vec3 shadowFromVC;
 flat in vec3 shadowToVC;
 flat in vec4 shadowPlaneSWC;
+flat in vec4 shadowWidthSWC;
 flat in float shadowTimes;
 
 uniform sampler2DArray shadowReceivers;
@@ -31,7 +32,7 @@ void main()
   }
   shadowAreaSeen area = shadowSeeArea(receiverVC.xyz);
   vec3 horizon = shadowHorizon(area, normalVC);
-  bool behind = shadowIsBehind(shadowPlaneSWC, receiverVC);
+  bool behind = shadowIsBehind(shadowPlaneSWC, shadowWidthSWC, receiverVC);
   // By the predicate, since rounding may turn the image of an edge that passes the centre.
   float turn = behind == (determinant(area.rows) < 0.0) ? -1.0 : 1.0;
   // Whole millionths (2^-20), which floats add up without rounding as long as a sum is less than 16

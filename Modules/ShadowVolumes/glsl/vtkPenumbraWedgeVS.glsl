@@ -7,6 +7,7 @@ in vec4 wedgeCornerSWC; // w: 1 for a corner of the picture
 in vec3 wedgeFromSWC;
 in vec3 wedgeToSWC;
 in vec4 wedgePlaneSWC;
+in vec4 wedgeWidthSWC;
 in float wedgeTimes;
 in vec4 wedgeFirstFaceSWC; // planes of the faces that end there, outwards; 0 where there is none
 in vec4 wedgeSecondFaceSWC;
@@ -19,6 +20,7 @@ uniform float shadowFarthest; // clip coordinate of the depth of what is farthes
 flat out vec3 shadowFromVC;
 flat out vec3 shadowToVC;
 flat out vec4 shadowPlaneSWC;
+flat out vec4 shadowWidthSWC;
 flat out float shadowTimes;
 flat out vec4 shadowFirstFaceSWC;
 flat out vec4 shadowSecondFaceSWC;
@@ -31,6 +33,7 @@ void main()
   shadowFromVC = (shadowSWCToVC * vec4(wedgeFromSWC, 1.0)).xyz;
   shadowToVC = (shadowSWCToVC * vec4(wedgeToSWC, 1.0)).xyz;
   shadowPlaneSWC = wedgePlaneSWC;
+  shadowWidthSWC = wedgeWidthSWC;
   shadowTimes = wedgeTimes;
   shadowFirstFaceSWC = wedgeFirstFaceSWC;
   shadowSecondFaceSWC = wedgeSecondFaceSWC;
