@@ -5,6 +5,12 @@
 #include "Errors.h"
 #include "FuzzFile.h"
 
+extern "C" int LLVMFuzzerInitialize(int*, char***)
+{
+  Messages::Install(); // as the command does: what VTK reports becomes a failure
+  return 0;
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   const FuzzFile file(data, size);
